@@ -1,0 +1,28 @@
+// A file that appears under its name only when it is complete.
+#pragma once
+
+#include <filesystem>
+
+namespace shadertwin {
+
+// Write to path(), a temporary name in the target's folder that keeps the target's extension; then commit().
+// Without commit() the destructor removes the temporary file and the target stays as it was.
+class OutputFile {
+ public:
+  // Throws Error(file) if the target's folder does not exist or can't be written.
+  explicit OutputFile(std::filesystem::path target);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  const std::filesystem::path& path() const { return temporary_; }
+  // Renames the temporary file to the target. Throws Error(file).
+  void commit();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;
+  bool committed_ = false;
+};
+
+}  // namespace shadertwin

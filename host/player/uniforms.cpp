@@ -1,0 +1,59 @@
+#include "host/player/uniforms.h"
+
+#include <array>
+
+namespace shadertwin {
+
+namespace {
+
+#define SHADERTWIN_FIELD(type, name, count)                   \
+  UniformField {                                              \
+#name, UniformType::type, count, offsetof(Uniforms, name) \
+  }
+constexpr std::array fields = {
+    SHADERTWIN_FIELD(float3, iResolution, 1),
+    SHADERTWIN_FIELD(float1, iTime, 1),
+    SHADERTWIN_FIELD(float1, iTimeDelta, 1),
+    SHADERTWIN_FIELD(float1, iFrameRate, 1),
+    SHADERTWIN_FIELD(int1, iFrame, 1),
+    SHADERTWIN_FIELD(float4, iDate, 1),
+    SHADERTWIN_FIELD(float4, iMouse, 1),
+    SHADERTWIN_FIELD(float4, iMouseButton, 1),
+    SHADERTWIN_FIELD(float1, iSampleRate, 1),
+    SHADERTWIN_FIELD(float1, iChannelTime, 4),
+    SHADERTWIN_FIELD(float3, iChannelResolution, max_channels),
+    SHADERTWIN_FIELD(mat4, iViewMatrix, 1),
+    SHADERTWIN_FIELD(float1, iTimeOffset, 1),
+    SHADERTWIN_FIELD(int1, iSampleOffset, 1),
+};
+#undef SHADERTWIN_FIELD
+
+}  // namespace
+
+std::span<const UniformField> uniform_fields() {
+  return fields;
+}
+
+Uniforms uniforms_for(const Project& project, const Pass& pass, const Frame& frame, glm::ivec2 size,
+                      const ChannelSizes& channels) {
+  Uniforms u{};
+  u.iResolution = glm::vec3(size, 1.0F);
+  u.iTime = static_cast<float>(frame.time);
+  u.iTimeDelta = static_cast<float>(frame.time_delta);
+  u.iFrameRate = static_cast<float>(frame.frame_rate);
+  u.iFrame = frame.index;
+  u.iDate = frame.date;
+  u.iMouse = frame.mouse;
+  u.iMouseButton = frame.mouse_button;
+  // shadertoy.com always has an audio context; the extension starts one with the first audio input.
+  bool audio = project.dialect == Dialect::shadertoy;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    u.iChannelResolution[i] = channels[i];
+    audio = audio || pass.inputs[i].kind == InputKind::music || pass.inputs[i].kind == InputKind::microphone;
+  }
+  u.iSampleRate = audio ? 44100.0F : 0.0F;
+  u.iViewMatrix = glm::mat4(1.0F);
+  return u;
+}
+
+}  // namespace shadertwin

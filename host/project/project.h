@@ -1,0 +1,125 @@
+// A Shadertoy project as plain data: what to draw, in which order, from which inputs. No OpenGL here.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shadertwin {
+
+// Whose rules hold: shadertoy.com's or those of the VS Code extension "Shader Toy".
+enum class Dialect { shadertoy, vscode };
+
+enum class PassKind { image, buffer, cubemap, sound };
+
+enum class MinFilter {
+  nearest,
+  linear,
+  nearest_mipmap_nearest,
+  nearest_mipmap_linear,
+  linear_mipmap_nearest,
+  linear_mipmap_linear
+};
+enum class MagFilter { nearest, linear };
+enum class Wrap { repeat, clamp, mirror };
+
+struct Sampler {
+  MinFilter min = MinFilter::linear;
+  MagFilter mag = MagFilter::linear;
+  Wrap wrap = Wrap::repeat;
+  bool vflip = true;  // the picture's bottom row is at t = 0
+};
+
+enum class InputKind {
+  none,
+  texture,  // files[0]
+  cubemap,  // files[0..5], +X -X +Y -Y +Z -Z
+  volume,   // files[0]
+  pass,     // a buffer or the cubemap pass: `pass`
+  keyboard,
+  music,  // files[0]
+  video,  // files[0]
+  webcam,
+  microphone
+};
+
+// What is bound to one channel of one pass.
+struct Input {
+  InputKind kind = InputKind::none;
+  Sampler sampler;
+  std::vector<std::filesystem::path> files;
+  int pass = -1;  // index into Project::passes when kind is pass
+};
+
+constexpr int max_channels = 10;  // shadertoy.com declares 4 of them, the extension all
+
+// Where a line of a shader came from. `file` indexes Project::files; -1 is text that the host supplied.
+struct SourceLine {
+  int file = -1;
+  int line = 0;  // from 1
+};
+
+// The text of a pass as a compiler gets it: head + body + tail. Only the body is the user's, with the knobs
+// of the command line, Common and includes already in it.
+struct PassSource {
+  std::string head;  // #version, precision, uniforms; for shadertoy.com also main()
+  std::string body;  // one entry of `lines` for every line
+  std::string tail;  // for the extension, main()
+  std::vector<SourceLine> lines;
+
+  std::string text() const { return head + body + tail; }
+};
+
+struct Pass {
+  std::string name;  // "Image", "Buffer A" ...; for the extension the file's stem
+  PassKind kind = PassKind::image;
+  PassSource source;
+  std::array<Input, max_channels> inputs;
+};
+
+enum class UniformType { float1, float2, float3, float4, int1, int2, int3, int4, mat4 };
+
+// An #iUniform of the extension. Values are floats also for integer types (they are exact there).
+struct CustomUniform {
+  std::string name;
+  UniformType type = UniformType::float1;
+  bool is_color = false;
+  std::array<float, 4> value{};
+  bool has_range = false;
+  std::array<float, 4> min{};
+  std::array<float, 4> max{};
+  std::array<float, 4> step{};  // 0: continuous
+};
+
+struct Project {
+  Dialect dialect = Dialect::shadertoy;
+  std::vector<Pass> passes;  // in drawing order; the last one is the picture
+  std::vector<CustomUniform> uniforms;
+  std::vector<std::string> files;     // every text file the sources came from, as the user would name it
+  std::vector<std::string> warnings;  // `file:line: warning: text`
+};
+
+struct LoadOptions {
+  // -D NAME[=VALUE], in order. They stand in front of every pass as `#define NAME VALUE`.
+  std::vector<std::pair<std::string, std::string>> defines;
+};
+
+// Loads a .glsl/.frag file (VS Code dialect) or a folder of Shadertoy tabs (image.glsl, common.glsl,
+// buffer_a.glsl ...). Throws Error(file) for what can't be read and Error(shader) for a malformed directive
+// or a pass without an entry point, with file:line.
+Project load_project(const std::filesystem::path& shader, const LoadOptions& options = {});
+
+// Index of the pass that the user calls `name`: as Pass::name, or without case, spaces and underscores
+// ("buffera"). -1 if there is none.
+int find_pass(const Project& project, const std::string& name);
+
+// Turns a compiler's log about `source` into lines `file:line: error: text` that name the user's own files.
+// Knows the forms of Mesa (`0:12(5): error: ...`), NVIDIA (`0(12) : error C0000: ...`), ANGLE and glslang
+// (`ERROR: 0:12: ...`). A line about host text is kept as it is. `first_line`: the number that the compiler
+// gave to the first line of head + body + tail.
+std::string map_log(const Project& project, const PassSource& source, const std::string& log,
+                    int first_line = 1);
+
+}  // namespace shadertwin
