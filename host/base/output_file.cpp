@@ -1,10 +1,14 @@
 #include "host/base/output_file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
+#include <cstring>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "host/base/error.h"
 
@@ -19,10 +23,17 @@ OutputFile::OutputFile(fs::path target) : target_(std::move(target)) {
   if (!fs::is_directory(folder, ignored))
     throw Error(ExitStatus::file, target_.string() + ": the folder " + folder.string() + " does not exist");
   if (fs::is_directory(target_, ignored)) throw Error(ExitStatus::file, target_.string() + ": is a folder");
-  if (access(folder.c_str(), W_OK) != 0)
-    throw Error(ExitStatus::file, target_.string() + ": the folder " + folder.string() + " can't be written");
-  temporary_ = folder / ("." + target_.stem().string() + "." + std::to_string(getpid()) + "-" +
-                         std::to_string(serial++) + target_.extension().string());
+  const std::string number = std::to_string(getpid()) + "-" + std::to_string(serial++);
+  const std::string stem = target_.stem().string().substr(0, 200);  // names have at most 255 bytes
+  temporary_ = folder / ("." + stem + "." + number + target_.extension().string());
+
+  // Only making a file shows whether one can be made.
+  const int probe = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (probe < 0)
+    throw Error(ExitStatus::file, target_.string() + ": can't write in the folder " + folder.string() + ": " +
+                                      std::strerror(errno));
+  close(probe);
+  fs::remove(temporary_, ignored);
 }
 
 OutputFile::~OutputFile() {
