@@ -1,0 +1,94 @@
+#include "host/player/fixed_clock.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "host/base/error.h"
+
+namespace shadertwin {
+
+namespace {
+
+constexpr double seconds_per_day = 86400.0;
+
+// iDate: the full year, month from 0, day from 1, seconds since midnight with their fraction.
+glm::vec4 shader_date(const Date& start, double elapsed) {
+  using namespace std::chrono;
+  const double total = start.seconds + elapsed;
+  const double days_passed = std::floor(total / seconds_per_day);
+  const year_month_day date = sys_days(year(start.year) / month(static_cast<unsigned>(start.month)) /
+                                       day(static_cast<unsigned>(start.day))) +
+                              days(static_cast<int>(days_passed));
+  return {static_cast<float>(static_cast<int>(date.year())),
+          static_cast<float>(static_cast<unsigned>(date.month())) - 1.0F,
+          static_cast<float>(static_cast<unsigned>(date.day())),
+          static_cast<float>(total - days_passed * seconds_per_day)};
+}
+
+}  // namespace
+
+Date Date::parse(const std::string& text) {
+  Date date;
+  int hours = 0;
+  int minutes = 0;
+  double seconds = 0.0;
+  int used = 0;
+  const int size = static_cast<int>(text.size());
+  const char* s = text.c_str();
+  bool valid = std::sscanf(s, "%4d-%2d-%2d%n", &date.year, &date.month, &date.day, &used) == 3;
+  if (valid && used != size) {
+    int time_used = 0;
+    valid = std::sscanf(s + used, "T%2d:%2d%n", &hours, &minutes, &time_used) == 2;
+    used += time_used;
+    if (valid && used != size) {
+      valid = std::sscanf(s + used, ":%lf%n", &seconds, &time_used) == 1;
+      used += time_used;
+    }
+  }
+  const std::chrono::year_month_day day(std::chrono::year(date.year),
+                                        std::chrono::month(static_cast<unsigned>(date.month)),
+                                        std::chrono::day(static_cast<unsigned>(date.day)));
+  valid = valid && used == size && day.ok() && hours >= 0 && hours < 24 && minutes >= 0 && minutes < 60 &&
+          seconds >= 0.0 && seconds < 60.0;
+  if (!valid)
+    throw Error(ExitStatus::usage, "--date " + text + ": expected YYYY-MM-DD or YYYY-MM-DDTHH:MM:SS");
+  date.seconds = 3600.0 * hours + 60.0 * minutes + seconds;
+  return date;
+}
+
+Frame FixedClock::next() {
+  const glm::ivec2 size(schedule_.width, schedule_.height);
+  for (const MouseStep& step : schedule_.mouse) {
+    if (step.frame != index_) continue;
+    // A step with the button up is a click that was let go at once: the position shows, with negative z and
+    // w.
+    if (!mouse_.down()) {
+      mouse_.press(step.position, size);
+      if (!step.down) mouse_.next_frame();
+    } else {
+      mouse_.move(step.position, size);
+    }
+    if (!step.down) mouse_.release();
+  }
+  for (const KeyStep& step : schedule_.keys)
+    if (step.frame == index_) keyboard_.press(step.code);
+
+  Frame frame;
+  frame.width = schedule_.width;
+  frame.height = schedule_.height;
+  frame.index = index_;
+  const double elapsed = index_ / schedule_.fps;
+  frame.time = schedule_.t0 + elapsed;
+  frame.time_delta = index_ == 0 ? 1.0 / 60.0 : 1.0 / schedule_.fps;  // shadertoy.com's first frame says 1/60
+  frame.frame_rate = schedule_.fps;
+  frame.date = shader_date(schedule_.date, elapsed);
+  frame.mouse = mouse_.next_frame();
+  frame.mouse_button.x = mouse_.down() ? 1.0F : 0.0F;
+  frame.keyboard = keyboard_.rows();
+  keyboard_.end_frame();
+  ++index_;
+  return frame;
+}
+
+}  // namespace shadertwin

@@ -1,0 +1,61 @@
+// Frames at a fixed step: frame i has iTime = t0 + i / fps whatever the clock says, so that the same command
+// gives the same frames.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/player/frame.h"
+#include "host/player/keyboard.h"
+#include "host/player/mouse.h"
+#include "host/project/project.h"
+
+namespace shadertwin {
+
+struct MouseStep {
+  int frame = 0;  // from which on
+  glm::dvec2 position{0.0};
+  bool down = false;
+};
+
+struct KeyStep {
+  int frame = 0;  // from which on the key is held
+  int code = 0;
+};
+
+// Local time without a zone.
+struct Date {
+  int year = 2024;
+  int month = 1;  // 1 to 12
+  int day = 1;
+  double seconds = 0.0;  // since midnight
+
+  // Reads YYYY-MM-DD, or YYYY-MM-DDTHH:MM[:SS[.fraction]]. Throws Error(usage).
+  static Date parse(const std::string& text);
+};
+
+struct Schedule {
+  int width = 640;
+  int height = 360;
+  double fps = 60.0;
+  double t0 = 0.0;               // seconds
+  Date date;                     // at t0
+  std::vector<MouseStep> mouse;  // by frame
+  std::vector<KeyStep> keys;
+};
+
+class FixedClock {
+ public:
+  FixedClock(Schedule schedule, Dialect dialect) : schedule_(std::move(schedule)), keyboard_(dialect) {}
+
+  // Frame 0, 1, 2 ...
+  Frame next();
+
+ private:
+  Schedule schedule_;
+  Mouse mouse_;
+  Keyboard keyboard_;
+  int index_ = 0;
+};
+
+}  // namespace shadertwin

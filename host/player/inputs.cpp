@@ -1,0 +1,51 @@
+#include "host/player/inputs.h"
+
+namespace shadertwin {
+
+Texture load_texture(const Input& input) {
+  if (input.kind == InputKind::cubemap) return read_cubemap(input.files, input.sampler.vflip);
+  return read_texture(input.files.front(), input.sampler.vflip);
+}
+
+glm::vec3 channel_size(const Project& project, const Input& input, const Texture* texture,
+                       glm::ivec2 frame_size) {
+  const bool site = project.dialect == Dialect::shadertoy;
+  switch (input.kind) {
+    case InputKind::none:
+    case InputKind::webcam:
+      return glm::vec3(0.0F);
+    case InputKind::texture:
+    case InputKind::volume:
+    case InputKind::video:
+      return texture == nullptr ? glm::vec3(0.0F)
+                                : glm::vec3(texture->width, texture->height, texture->depth);
+    case InputKind::cubemap:
+      return site ? glm::vec3(0.0F) : glm::vec3(0.0F, 0.0F, 1.0F);
+    case InputKind::pass:
+      return project.passes[static_cast<std::size_t>(input.pass)].kind == PassKind::cubemap
+                 ? glm::vec3(cubemap_pass_size, cubemap_pass_size, 1)
+                 : glm::vec3(frame_size, 1);
+    case InputKind::keyboard:
+      return glm::vec3(256, site ? 3 : 4, 1);
+    case InputKind::music:
+    case InputKind::microphone:
+      return site ? glm::vec3(512, 2, 1) : glm::vec3(0.0F);
+  }
+  return glm::vec3(0.0F);
+}
+
+std::vector<bool> passes_with_history(const Project& project) {
+  const int count = static_cast<int>(project.passes.size());
+  std::vector<bool> history(project.passes.size(), false);
+  for (int reader = 0; reader < count; ++reader)
+    for (const Input& input : project.passes[static_cast<std::size_t>(reader)].inputs)
+      if (input.kind == InputKind::pass && input.pass >= reader)
+        history[static_cast<std::size_t>(input.pass)] = true;
+  if (project.dialect == Dialect::shadertoy)
+    for (std::size_t i = 0; i < history.size(); ++i)
+      if (project.passes[i].kind == PassKind::buffer || project.passes[i].kind == PassKind::cubemap)
+        history[i] = true;
+  return history;
+}
+
+}  // namespace shadertwin

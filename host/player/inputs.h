@@ -1,0 +1,28 @@
+// What is bound to the channels of a pass: the files, and what the uniforms say of them.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "host/image/image.h"
+#include "host/project/project.h"
+
+namespace shadertwin {
+
+// Width and height of every face of a cubemap pass (shadertoy.com).
+constexpr int cubemap_pass_size = 1024;
+
+// Reads the file or files of a texture or cubemap input. Throws Error(file).
+Texture load_texture(const Input& input);
+
+// iChannelResolution of an input. `texture`: what load_texture gave for a file input, else null.
+// `frame_size`: of the pictures that buffers hold.
+glm::vec3 channel_size(const Project& project, const Input& input, const Texture* texture,
+                       glm::ivec2 frame_size);
+
+// One flag for every pass: whether its previous picture is still needed while, or after, it draws a new one.
+// True for passes that read themselves or are read by an earlier one. On shadertoy.com every buffer is kept
+// twice, which shows when a shader discards: the old contents are then those of two frames ago.
+std::vector<bool> passes_with_history(const Project& project);
+
+}  // namespace shadertwin

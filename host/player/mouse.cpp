@@ -1,0 +1,34 @@
+#include "host/player/mouse.h"
+
+namespace shadertwin {
+
+namespace {
+
+// x in [0, width - 1] and y in [1, height]: the top row gives the height (the page measures y from the top).
+glm::vec2 to_pixel(glm::dvec2 position, glm::ivec2 size) {
+  return glm::clamp(glm::floor(position), glm::dvec2(0.0, 1.0), glm::dvec2(size.x - 1, size.y));
+}
+
+}  // namespace
+
+void Mouse::press(glm::dvec2 position, glm::ivec2 size) {
+  position_ = pressed_at_ = to_pixel(position, size);
+  down_ = pressed_ = true;
+}
+
+void Mouse::move(glm::dvec2 position, glm::ivec2 size) {
+  if (down_) position_ = to_pixel(position, size);
+}
+
+void Mouse::release() {
+  down_ = false;
+}
+
+glm::vec4 Mouse::next_frame() {
+  const glm::vec4 value(position_, down_ ? pressed_at_.x : -pressed_at_.x,
+                        pressed_ ? pressed_at_.y : -pressed_at_.y);
+  pressed_ = false;
+  return value;
+}
+
+}  // namespace shadertwin

@@ -1,0 +1,28 @@
+// iMouse as shadertoy.com computes it from what a hand does.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace shadertwin {
+
+// Positions are window pixels with y up; they are floored and kept inside the picture. Events come in between
+// frames; next_frame() gives the value that one frame sees.
+class Mouse {
+ public:
+  void press(glm::dvec2 position, glm::ivec2 size);
+  void move(glm::dvec2 position, glm::ivec2 size);  // counts only while a button is down
+  void release();
+  bool down() const { return down_; }
+
+  // xy: where the mouse was last dragged to. zw: where it was pressed; z is positive while it is down, and w
+  // is positive only on the first frame after the press (also when the release came before that frame).
+  glm::vec4 next_frame();
+
+ private:
+  glm::vec2 position_{0.0F};
+  glm::vec2 pressed_at_{0.0F};
+  bool down_ = false;
+  bool pressed_ = false;  // since the last frame
+};
+
+}  // namespace shadertwin

@@ -1,0 +1,58 @@
+#include "host/player/inputs.h"
+
+#include <gtest/gtest.h>
+
+namespace shadertwin {
+namespace {
+
+Project two_buffers_and_a_picture(Dialect dialect) {
+  Project project;
+  project.dialect = dialect;
+  project.passes.resize(3);
+  project.passes[0].kind = PassKind::buffer;
+  project.passes[1].kind = PassKind::buffer;
+  return project;
+}
+
+Input reads(int pass) {
+  Input input;
+  input.kind = InputKind::pass;
+  input.pass = pass;
+  return input;
+}
+
+TEST(PassesWithHistory, AreThoseThatReadThemselvesOrAreReadEarlier) {
+  Project project = two_buffers_and_a_picture(Dialect::vscode);
+  project.passes[2].inputs[0] = reads(0);
+  EXPECT_EQ(passes_with_history(project), (std::vector<bool>{false, false, false}));
+  project.passes[0].inputs[0] = reads(1);
+  EXPECT_EQ(passes_with_history(project), (std::vector<bool>{false, true, false}));
+  project.passes[2].inputs[1] = reads(2);
+  EXPECT_EQ(passes_with_history(project), (std::vector<bool>{false, true, true}));
+}
+
+TEST(PassesWithHistory, AreAllBuffersOnTheSite) {
+  EXPECT_EQ(passes_with_history(two_buffers_and_a_picture(Dialect::shadertoy)),
+            (std::vector<bool>{true, true, false}));
+}
+
+TEST(ChannelSize, IsWhatEachDialectReports) {
+  const Project site = two_buffers_and_a_picture(Dialect::shadertoy);
+  const Project extension = two_buffers_and_a_picture(Dialect::vscode);
+  Texture picture;
+  picture.width = 40;
+  picture.height = 30;
+  Input input;
+  EXPECT_EQ(channel_size(site, input, nullptr, {64, 36}), glm::vec3(0, 0, 0));
+  EXPECT_EQ(channel_size(site, reads(0), nullptr, {64, 36}), glm::vec3(64, 36, 1));
+  input.kind = InputKind::texture;
+  EXPECT_EQ(channel_size(site, input, &picture, {64, 36}), glm::vec3(40, 30, 1));
+  input.kind = InputKind::keyboard;
+  EXPECT_EQ(channel_size(site, input, nullptr, {64, 36}), glm::vec3(256, 3, 1));
+  input.kind = InputKind::cubemap;
+  EXPECT_EQ(channel_size(site, input, &picture, {64, 36}), glm::vec3(0, 0, 0));
+  EXPECT_EQ(channel_size(extension, input, &picture, {64, 36}), glm::vec3(0, 0, 1));
+}
+
+}  // namespace
+}  // namespace shadertwin

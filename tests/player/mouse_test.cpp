@@ -1,0 +1,52 @@
+#include "host/player/mouse.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace shadertwin {
+namespace {
+
+constexpr glm::ivec2 size(640, 360);
+
+TEST(Mouse, IsNegativeZeroBeforeTheFirstClick) {
+  Mouse mouse;
+  mouse.move({100.0, 50.0}, size);  // hovering is not tracked
+  const glm::vec4 value = mouse.next_frame();
+  EXPECT_EQ(value, glm::vec4(0.0F));
+  EXPECT_TRUE(std::signbit(value.z));
+  EXPECT_TRUE(std::signbit(value.w));
+}
+
+TEST(Mouse, ShowsThePressOnOneFrameAndTheDragUntilTheRelease) {
+  Mouse mouse;
+  mouse.press({100.0, 50.0}, size);
+  EXPECT_EQ(mouse.next_frame(), glm::vec4(100, 50, 100, 50));
+  EXPECT_EQ(mouse.next_frame(), glm::vec4(100, 50, 100, -50));
+  mouse.move({120.0, 70.0}, size);
+  EXPECT_EQ(mouse.next_frame(), glm::vec4(120, 70, 100, -50));
+  mouse.release();
+  mouse.move({300.0, 300.0}, size);
+  EXPECT_EQ(mouse.next_frame(), glm::vec4(120, 70, -100, -50));
+}
+
+TEST(Mouse, ShowsAClickBetweenTwoFramesOnce) {
+  Mouse mouse;
+  mouse.press({10.0, 20.0}, size);
+  mouse.release();
+  EXPECT_EQ(mouse.next_frame(), glm::vec4(10, 20, -10, 20));
+  EXPECT_EQ(mouse.next_frame(), glm::vec4(10, 20, -10, -20));
+}
+
+TEST(Mouse, FloorsAndStaysInThePicture) {
+  Mouse mouse;
+  mouse.press({10.9, 20.9}, size);
+  EXPECT_EQ(mouse.next_frame(), glm::vec4(10, 20, 10, 20));
+  mouse.move({-5.0, -5.0}, size);
+  EXPECT_EQ(mouse.next_frame(), glm::vec4(0, 1, 10, -20));
+  mouse.move({9999.0, 9999.0}, size);
+  EXPECT_EQ(mouse.next_frame(), glm::vec4(639, 360, 10, -20));
+}
+
+}  // namespace
+}  // namespace shadertwin
