@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -77,6 +78,7 @@ struct Pass {
   PassKind kind = PassKind::image;
   PassSource source;
   std::array<Input, max_channels> inputs;
+  bool keyboard = false;  // the extension's iKeyboard is bound: 256x4, rows held, pressed, toggled, released
 };
 
 enum class UniformType { float1, float2, float3, float4, int1, int2, int3, int4, mat4 };
@@ -91,24 +93,31 @@ struct CustomUniform {
   std::array<float, 4> min{};
   std::array<float, 4> max{};
   std::array<float, 4> step{};  // 0: continuous
+
+  bool operator==(const CustomUniform&) const = default;
 };
 
 struct Project {
   Dialect dialect = Dialect::shadertoy;
   std::vector<Pass> passes;  // in drawing order; the last one is the picture
   std::vector<CustomUniform> uniforms;
-  std::vector<std::string> files;     // every text file the sources came from, as the user would name it
-  std::vector<std::string> warnings;  // `file:line: warning: text`
+  bool first_person_controls = false;  // iViewMatrix follows the keys and the mouse
+  std::vector<std::string> files;      // every text file the sources came from, as the user would name it
+  std::vector<std::string> warnings;   // `file:line: warning: text`
 };
 
 struct LoadOptions {
   // -D NAME[=VALUE], in order. They stand in front of every pass as `#define NAME VALUE`.
-  std::vector<std::pair<std::string, std::string>> defines;
+  std::vector<std::pair<std::string, std::string>> defines = {};
+  // Whose rules hold. Not given: a file has those of the extension, a folder those of shadertoy.com.
+  std::optional<Dialect> dialect = {};
 };
 
-// Loads a .glsl/.frag file (VS Code dialect) or a folder of Shadertoy tabs (image.glsl, common.glsl,
-// buffer_a.glsl ...). Throws Error(file) for what can't be read and Error(shader) for a malformed directive
-// or a pass without an entry point, with file:line.
+// Loads a .glsl/.frag file (VS Code dialect) or a folder of Shadertoy tabs: image.glsl and any of
+// common.glsl, buffer_a.glsl to buffer_d.glsl, cubemap_a.glsl, sound.glsl, with channels bound by #iChannelN
+// or by shadertoy.json in the folder (tabs_settings.h says how). Throws Error(file) for what can't be read,
+// Error(shader) for a malformed directive, an include that goes in a circle or a pass without an entry point,
+// and Error(usage) for an impossible define. Messages have the form `file:line: error: text`.
 Project load_project(const std::filesystem::path& shader, const LoadOptions& options = {});
 
 // Index of the pass that the user calls `name`: as Pass::name, or without case, spaces and underscores
@@ -117,8 +126,9 @@ int find_pass(const Project& project, const std::string& name);
 
 // Turns a compiler's log about `source` into lines `file:line: error: text` that name the user's own files.
 // Knows the forms of Mesa (`0:12(5): error: ...`), NVIDIA (`0(12) : error C0000: ...`), ANGLE and glslang
-// (`ERROR: 0:12: ...`). A line about host text is kept as it is. `first_line`: the number that the compiler
-// gave to the first line of head + body + tail.
+// (`ERROR: 0:12: ...`). A line about the head is kept as it is; what lies behind the body (a missing brace is
+// noticed there) is reported on the user's last line. `first_line`: the number that the compiler gave to the
+// first line of head + body + tail.
 std::string map_log(const Project& project, const PassSource& source, const std::string& log,
                     int first_line = 1);
 

@@ -1,0 +1,154 @@
+#include "host/project/channels.h"
+
+#include <algorithm>
+
+#include "host/project/paths.h"
+#include "host/project/text_file.h"
+
+namespace shadertwin {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void warn(Project& project, const PlacedDirective& at, const std::string& message) {
+  project.warnings.push_back(display_name(at.file) + ":" + std::to_string(at.directive.line) +
+                             ": warning: " + message);
+}
+
+[[noreturn]] void fail(ExitStatus status, const PlacedDirective& at, const std::string& message) {
+  fail_at(status, at.file, at.directive.line, message);
+}
+
+void bind_cubemap(const PlacedDirective& at, const std::vector<fs::path>& places, Input& input) {
+  if (!has_wildcard(at.directive.text))
+    fail(ExitStatus::shader, at, "a cubemap needs a path with {} where its faces' names differ");
+  std::string missing;
+  input.kind = InputKind::cubemap;
+  input.files = find_faces(places, missing);
+  if (input.files.empty())
+    fail(ExitStatus::file, at, "the cubemap is not complete: " + missing + " is missing");
+}
+
+void bind_file(const ChannelContext& context, const PlacedDirective& at, MediaKind kind, const fs::path& file,
+               Input& input) {
+  input.files = {file};
+  switch (kind) {
+    case MediaKind::image:
+      input.kind = InputKind::texture;
+      break;
+    case MediaKind::volume:
+      input.kind = InputKind::volume;
+      break;
+    case MediaKind::audio:
+      input.kind = InputKind::music;
+      break;
+    case MediaKind::video:
+      input.kind = InputKind::video;
+      break;
+    case MediaKind::shader:
+      input.kind = InputKind::pass;
+      input.files.clear();
+      input.pass = identity(file) == identity(context.pass_file) ? context.self : context.find_pass(file, at);
+      break;
+    case MediaKind::unsupported:
+      warn(context.project, at, "\"" + at.directive.text + "\" is nothing that a channel can show");
+      input = {};
+      break;
+  }
+}
+
+// What the path of an #iChannelN stands for.
+Input bind_path(const ChannelContext& context, const PlacedDirective& at, bool cubemap) {
+  const std::string& path = at.directive.text;
+  Input input;
+  if (path == "self" || path == "file://self") {
+    input.kind = InputKind::pass;
+    input.pass = context.self;
+    return input;
+  }
+  if (is_remote(path)) {
+    warn(context.project, at, "\"" + path + "\" is not fetched: the channel stays empty");
+    return input;
+  }
+  const std::vector<fs::path> places = candidates(path, at.file, context.root);
+  const std::optional<fs::path> found = find_file(places);
+  if (cubemap || (has_wildcard(path) && !found)) {
+    bind_cubemap(at, places, input);
+    return input;
+  }
+  if (!found) {
+    std::string tried;
+    for (const fs::path& place : places) tried += (tried.empty() ? "" : ", ") + display_name(place);
+    fail(ExitStatus::file, at, "can't find \"" + path + "\"; tried " + tried);
+  }
+  if (fs::is_directory(*found)) fail(ExitStatus::file, at, display_name(*found) + " is a folder");
+  bind_file(context, at, media_kind(path), *found, input);
+  return input;
+}
+
+}  // namespace
+
+Sampler default_sampler(Dialect dialect, InputKind kind) {
+  Sampler sampler;
+  if (kind == InputKind::cubemap || kind == InputKind::volume) sampler.vflip = false;
+  if (dialect == Dialect::vscode) return sampler;
+  // What the site's editor gives to a new input.
+  if (kind == InputKind::texture || kind == InputKind::volume || kind == InputKind::cubemap)
+    sampler.min = MinFilter::linear_mipmap_linear;
+  if (kind == InputKind::keyboard) {
+    sampler.min = MinFilter::nearest;
+    sampler.mag = MagFilter::nearest;
+  }
+  if (kind != InputKind::texture && kind != InputKind::volume) sampler.wrap = Wrap::clamp;
+  return sampler;
+}
+
+void bind_channels(const ChannelContext& context, const std::vector<PlacedDirective>& directives,
+                   std::array<Input, max_channels>& inputs) {
+  using Kind = Directive::Kind;
+  std::array<bool, max_channels> cubemap{};
+  for (const PlacedDirective& at : directives)
+    if (at.directive.kind == Kind::channel_cubemap)
+      cubemap[static_cast<std::size_t>(at.directive.channel)] = at.directive.cubemap;
+  for (const PlacedDirective& at : directives) {
+    if (at.directive.kind != Kind::channel) continue;
+    const auto channel = static_cast<std::size_t>(at.directive.channel);
+    Input input = bind_path(context, at, cubemap[channel]);
+    input.sampler = default_sampler(context.project.dialect, input.kind);
+    // A DDS file is not flipped by the extension.
+    if (!input.files.empty() && plain_name(input.files[0].extension().string()) == ".dds")
+      input.sampler.vflip = false;
+    inputs[channel] = std::move(input);
+  }
+  for (const auto& [directive, file] : directives) {
+    Sampler& sampler = inputs[static_cast<std::size_t>(directive.channel)].sampler;
+    if (directive.kind == Kind::channel_min) sampler.min = directive.min;
+    if (directive.kind == Kind::channel_mag) sampler.mag = directive.mag;
+    if (directive.kind == Kind::channel_wrap) sampler.wrap = directive.wrap;
+  }
+}
+
+PassFlags apply_directives(Project& project, const std::vector<PlacedDirective>& directives) {
+  using Kind = Directive::Kind;
+  PassFlags flags;
+  for (const PlacedDirective& at : directives) {
+    const Directive& directive = at.directive;
+    if (directive.kind == Kind::keyboard) flags.keyboard = true;
+    if (directive.kind == Kind::strict_compatibility) flags.strict = true;
+    if (directive.kind == Kind::first_person_controls) project.first_person_controls = true;
+    if (directive.kind == Kind::vertex && directive.text != "default")
+      warn(project, at, "#iVertex is not supported: the pass is drawn over the whole picture");
+    if (directive.kind != Kind::uniform) continue;
+    const CustomUniform& uniform = directive.uniform;
+    const auto known = std::find_if(project.uniforms.begin(), project.uniforms.end(),
+                                    [&](const CustomUniform& other) { return other.name == uniform.name; });
+    if (known == project.uniforms.end())
+      project.uniforms.push_back(uniform);
+    else if (!(*known == uniform))
+      fail(ExitStatus::shader, at, "#iUniform " + uniform.name + " is declared differently elsewhere");
+  }
+  return flags;
+}
+
+}  // namespace shadertwin

@@ -1,0 +1,16 @@
+// The ways into a Project, one for each shape that a shader comes in.
+#pragma once
+
+#include <filesystem>
+
+#include "host/project/project.h"
+
+namespace shadertwin {
+
+// A single file with the extension's directives: the passes it names are found through its channels.
+Project load_file(const std::filesystem::path& file, const LoadOptions& options);
+
+// A folder with a file for each tab.
+Project load_folder(const std::filesystem::path& folder, const LoadOptions& options);
+
+}  // namespace shadertwin

@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <array>
+
+#include "host/project/channels.h"
+#include "host/project/load.h"
+#include "host/project/tabs_settings.h"
+#include "host/project/text_file.h"
+#include "host/project/wrapper.h"
+
+namespace shadertwin {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Tab {
+  const char* stem;  // as plain_name gives it
+  const char* short_stem;
+  const char* name;
+  PassKind kind;
+};
+
+// In drawing order.
+constexpr std::array<Tab, 7> tabs = {{{"sound", "sound", "Sound", PassKind::sound},
+                                      {"buffera", "bufa", "Buffer A", PassKind::buffer},
+                                      {"bufferb", "bufb", "Buffer B", PassKind::buffer},
+                                      {"bufferc", "bufc", "Buffer C", PassKind::buffer},
+                                      {"bufferd", "bufd", "Buffer D", PassKind::buffer},
+                                      {"cubemapa", "cubemap", "Cubemap A", PassKind::cubemap},
+                                      {"image", "image", "Image", PassKind::image}}};
+constexpr Tab common_tab = {"common", "common", "Common", PassKind::image};
+
+class FolderLoader {
+ public:
+  FolderLoader(fs::path folder, const LoadOptions& options)
+      : folder_(std::move(folder)), options_(options), texts_(project_, folder_ / "image.glsl") {
+    project_.dialect = options.dialect.value_or(Dialect::shadertoy);
+  }
+
+  Project load() {
+    list_files();
+    if (find(tabs.back()).empty())
+      throw Error(ExitStatus::file, display_name(folder_) + ": error: the folder has no image.glsl");
+    const fs::path common = find(common_tab);
+    for (const Tab& tab : tabs) {
+      if (find(tab).empty()) continue;
+      Pass& pass = project_.passes.emplace_back();
+      pass.name = tab.name;
+      pass.kind = tab.kind;
+      files_of_passes_.push_back(find(tab));
+    }
+    for (std::size_t i = 0; i < project_.passes.size(); ++i) read_tab(static_cast<int>(i), common);
+    if (const fs::path settings = folder_ / "shadertoy.json"; fs::exists(settings))
+      apply_tabs_settings(settings, project_);
+    const bool keyboard =
+        std::any_of(flags_.begin(), flags_.end(), [](const PassFlags& f) { return f.keyboard; });
+    for (std::size_t i = 0; i < project_.passes.size(); ++i) {
+      project_.passes[i].keyboard = keyboard;
+      wrap_pass(project_, project_.passes[i],
+                {.keyboard = keyboard, .strict = flags_[i].strict, .local = false});
+    }
+    return std::move(project_);
+  }
+
+ private:
+  void list_files() {
+    std::error_code problem;
+    for (fs::directory_iterator entry(folder_, problem), end; !problem && entry != end;
+         entry.increment(problem))
+      files_.push_back(entry->path());
+    if (problem) throw Error(ExitStatus::file, display_name(folder_) + ": error: " + problem.message());
+    std::sort(files_.begin(), files_.end());
+  }
+
+  // The tab's file; empty if there is none.
+  fs::path find(const Tab& tab) const {
+    static constexpr std::array<std::string_view, 4> extensions = {".glsl", ".frag", ".fs", ".txt"};
+    fs::path found;
+    for (const fs::path& file : files_) {
+      const std::string stem = plain_name(file.stem().string());
+      const std::string extension = plain_name(file.extension().string());
+      if (stem != tab.stem && stem != tab.short_stem) continue;
+      if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end()) continue;
+      if (!found.empty())
+        throw Error(ExitStatus::file, display_name(file) + ": error: " + display_name(found) +
+                                          " is the tab " + tab.name + " already");
+      found = file;
+    }
+    return found;
+  }
+
+  void read_tab(int index, const fs::path& common) {
+    const fs::path& file = files_of_passes_[static_cast<std::size_t>(index)];
+    Pass& pass = project_.passes[static_cast<std::size_t>(index)];
+    Body body;
+    append_defines(options_, body);
+    std::vector<PlacedDirective> directives;
+    if (!common.empty()) {
+      texts_.append(common, body, directives);
+      texts_.skip(common);
+    }
+    texts_.append(file, body, directives);
+    for (const PlacedDirective& at : directives)
+      if (project_.dialect == Dialect::shadertoy && at.directive.channel > 3)
+        fail_at(ExitStatus::shader, at.file, at.directive.line, "shadertoy.com has the channels 0 to 3");
+    flags_.push_back(apply_directives(project_, directives));
+    bind_channels({.project = project_,
+                   .pass_file = file,
+                   .root = folder_ / "image.glsl",
+                   .self = index,
+                   .find_pass = [this](const fs::path& other,
+                                       const PlacedDirective& at) { return pass_of(other, at); }},
+                  directives, pass.inputs);
+    pass.source.body = body.text();
+    pass.source.lines = body.lines();
+  }
+
+  int pass_of(const fs::path& file, const PlacedDirective& at) const {
+    for (std::size_t i = 0; i < files_of_passes_.size(); ++i)
+      if (identity(files_of_passes_[i]) == identity(file)) return static_cast<int>(i);
+    fail_at(ExitStatus::shader, at.file, at.directive.line,
+            display_name(file) + " is not a tab that can be drawn");
+  }
+
+  Project project_;
+  fs::path folder_;
+  const LoadOptions& options_;
+  TextLoader texts_;
+  std::vector<fs::path> files_;
+  std::vector<fs::path> files_of_passes_;
+  std::vector<PassFlags> flags_;
+};
+
+}  // namespace
+
+Project load_folder(const fs::path& folder, const LoadOptions& options) {
+  return FolderLoader(folder, options).load();
+}
+
+}  // namespace shadertwin

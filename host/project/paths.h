@@ -1,0 +1,36 @@
+// What a path in a directive means.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/project/project.h"
+
+namespace shadertwin {
+
+// What a path's extension says that it is. Everything unknown is the text of a shader.
+enum class MediaKind { shader, image, volume, audio, video, unsupported };
+MediaKind media_kind(const std::string& path);
+
+// Whether the path is a URL that names another machine.
+bool is_remote(const std::string& path);
+
+// Every place that `path` may stand for, the likeliest first: beside `beside` (the file that holds the
+// directive), as given, beside `root`. "file://" is dropped, backslashes are slashes.
+std::vector<std::filesystem::path> candidates(const std::string& path, const std::filesystem::path& beside,
+                                              const std::filesystem::path& root);
+
+// The first candidate that is there; nothing if none is.
+std::optional<std::filesystem::path> find_file(const std::vector<std::filesystem::path>& places);
+
+// The six faces, +X -X +Y -Y +Z -Z, of a path with one {} or * in it. `missing` names the file that keeps the
+// best set of names from being complete; the result is empty then.
+std::vector<std::filesystem::path> find_faces(const std::vector<std::filesystem::path>& patterns,
+                                              std::string& missing);
+
+// Whether the path holds a placeholder for a face.
+bool has_wildcard(const std::string& path);
+
+}  // namespace shadertwin

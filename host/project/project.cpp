@@ -1,0 +1,24 @@
+#include "host/project/project.h"
+
+#include "host/base/error.h"
+#include "host/project/load.h"
+#include "host/project/text_file.h"
+
+namespace shadertwin {
+
+Project load_project(const std::filesystem::path& shader, const LoadOptions& options) {
+  std::error_code problem;
+  if (shader.empty()) throw Error(ExitStatus::usage, "no shader is given");
+  if (std::filesystem::is_directory(shader, problem)) return load_folder(shader, options);
+  return load_file(shader, options);
+}
+
+int find_pass(const Project& project, const std::string& name) {
+  for (std::size_t i = 0; i < project.passes.size(); ++i)
+    if (project.passes[i].name == name) return static_cast<int>(i);
+  for (std::size_t i = 0; i < project.passes.size(); ++i)
+    if (plain_name(project.passes[i].name) == plain_name(name)) return static_cast<int>(i);
+  return -1;
+}
+
+}  // namespace shadertwin
