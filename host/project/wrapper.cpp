@@ -170,6 +170,19 @@ std::string image_main(bool opaque) {
          "shadertoy_out_color = " + (opaque ? "vec4(shadertoy_color.rgb, 1.0)" : "shadertoy_color") + "; }\n";
 }
 
+// `mainImage(out vec4` becomes `mainImage(inout vec4`, so that what the wrapper put into the colour is there
+// where the shader does not write it. Browsers zero every `out` parameter; drivers leave garbage.
+std::string with_inout_entry(const std::string& body, const std::vector<Token>& tokens) {
+  std::string result;
+  std::size_t copied = 0;
+  for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
+    if (!tokens[i].is("mainImage") || !tokens[i + 1].is("(") || !tokens[i + 2].is("out")) continue;
+    result.append(body, copied, tokens[i + 2].begin - copied).append("in");
+    copied = tokens[i + 2].begin;
+  }
+  return result.append(body, copied);
+}
+
 [[noreturn]] void fail_without_entry(const Project& project, const Pass& pass) {
   // The pass's own file is the one that its last line is from.
   const int file = pass.source.lines.empty() ? -1 : pass.source.lines.back().file;
@@ -196,11 +209,13 @@ void wrap_pass(const Project& project, Pass& pass, const WrapOptions& options) {
   if (!declares_output(tokens)) head.line("layout(location = 0) out vec4 shadertoy_out_color;");
 
   pass.source.tail.clear();
+  const bool macro_entry = defines_macro(tokens, "mainImage");
+  pass.source.body = with_inout_entry(pass.source.body, tokens);  // the tokens end here
   if (has_image && (!has_main || options.strict)) {
     const std::string main = image_main(shadertoy && pass.kind == PassKind::image);
     // A macro called mainImage only works for a main() behind it.
-    if (shadertoy && !defines_macro(tokens, "mainImage")) {
-      head.line("void mainImage(out vec4, in vec2);");
+    if (shadertoy && !macro_entry) {
+      head.line("void mainImage(inout vec4, in vec2);");
       pass.source.head = head.take() + main;
       return;
     }

@@ -18,7 +18,8 @@ TEST(LoadFile, KeepsEveryLineWhereItWas) {
   const auto file = folder.write(
       "a.glsl", "#iKeyboard\n#iChannel0\n \"self\"\nint x; /* #iKeyboard */\n" + std::string(empty_image));
   const Project project = load_project(file);
-  EXPECT_EQ(project.passes[0].source.body, "\n\n\nint x; /* #iKeyboard */\n" + std::string(empty_image));
+  EXPECT_EQ(project.passes[0].source.body,
+            "\n\n\nint x; /* #iKeyboard */\n" + std::string(loaded_empty_image));
   for (std::size_t i = 0; i < 5; ++i)
     EXPECT_EQ(place(project, project.passes[0], i), "a.glsl:" + std::to_string(i + 1));
   EXPECT_TRUE(project.passes[0].keyboard);
@@ -35,7 +36,7 @@ TEST(LoadFile, ExpandsNestedIncludesWithTheirLines) {
       folder.write("a.glsl", "a1 #include \"file://lib\\b.glsl\" a1b\n" + std::string(empty_image));
   const Project project = load_project(file);
   const Pass& pass = project.passes[0];
-  EXPECT_EQ(pass.source.body, "a1 \nb1\nc1\nc2\n\nb3\n a1b\n" + std::string(empty_image));
+  EXPECT_EQ(pass.source.body, "a1 \nb1\nc1\nc2\n\nb3\n a1b\n" + std::string(loaded_empty_image));
   EXPECT_EQ(place(project, pass, 0), "a.glsl:1");
   EXPECT_EQ(place(project, pass, 1), "b.glsl:1");
   EXPECT_EQ(place(project, pass, 2), "c.glsl:1");
@@ -219,7 +220,7 @@ TEST(LoadFile, DropsTheVersionLine) {
   const TempFolder folder;
   const Project project =
       load_project(folder.write("a.glsl", "#version 300 es\r\n" + std::string(empty_image)));
-  EXPECT_EQ(project.passes[0].source.body, "\n" + std::string(empty_image));
+  EXPECT_EQ(project.passes[0].source.body, "\n" + std::string(loaded_empty_image));
   EXPECT_TRUE(project.passes[0].source.head.starts_with("#version 300 es\n"));
 }
 

@@ -21,7 +21,7 @@ TEST(LoadFolder, DrawsTabsInOrderWithCommonInFront) {
   EXPECT_EQ(project.passes[2].kind, PassKind::image);
   EXPECT_EQ(project.passes[0].kind, PassKind::buffer);
   for (const Pass& pass : project.passes) {
-    EXPECT_EQ(pass.source.body, "float f;\n" + std::string(empty_image));
+    EXPECT_EQ(pass.source.body, "float f;\n" + std::string(loaded_empty_image));
     ASSERT_EQ(pass.source.lines.size(), 2U);
     EXPECT_TRUE(project.files[pass.source.lines[0].file].ends_with("COMMON.glsl"));
     EXPECT_EQ(pass.source.lines[1].line, 1);
@@ -49,7 +49,7 @@ TEST(LoadFolder, BindsChannelsByDirectivesInFilesThatAlsoPaste) {
   EXPECT_EQ(project.passes[1].inputs[1].pass, 0);
   // Common is there already: the include adds nothing, and the site knows no SHADER_TOY.
   EXPECT_EQ(project.passes[1].source.body,
-            "float f;\n#ifdef SHADER_TOY\n\n\n#endif\n" + std::string(empty_image));
+            "float f;\n#ifdef SHADER_TOY\n\n\n#endif\n" + std::string(loaded_empty_image));
   EXPECT_EQ(project.passes[1].source.head.find("SHADER_TOY"), std::string::npos);
 }
 
