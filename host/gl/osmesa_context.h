@@ -1,0 +1,13 @@
+// Mesa's off-screen software renderer: needs neither EGL nor a device.
+#pragma once
+
+#include <memory>
+
+#include "host/gl/context.h"
+
+namespace shadertwin::gl {
+
+// Throws Error(device).
+std::unique_ptr<Context> open_osmesa();
+
+}  // namespace shadertwin::gl

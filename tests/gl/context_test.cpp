@@ -1,0 +1,52 @@
+#include "host/gl/context.h"
+
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+
+namespace shadertwin::gl {
+namespace {
+
+TEST(Context, EglAndOsmesaLiveSideBySide) {
+  const auto egl = open_context("egl");
+  const auto osmesa = open_context("osmesa");
+  for (int i = 0; i < 3; ++i) {
+    egl->make_current();
+    EXPECT_EQ(reinterpret_cast<const char*>(egl->functions().GetString(GL_VERSION)), egl->info().version);
+    osmesa->make_current();
+    EXPECT_EQ(reinterpret_cast<const char*>(osmesa->functions().GetString(GL_VERSION)),
+              osmesa->info().version);
+  }
+  EXPECT_NE(egl->info().version, osmesa->info().version);
+}
+
+TEST(Context, ListsWhatItCanOpenByThoseNames) {
+  const auto devices = list_devices();
+  ASSERT_GE(devices.size(), 2U);
+  EXPECT_EQ(devices.front().name, "egl:0");
+  EXPECT_EQ(devices.back().name, "osmesa");
+  for (const DeviceInfo& device : devices) {
+    EXPECT_EQ(open_context(device.name)->info().renderer, device.renderer);
+    EXPECT_GE(device.max_size, 2048);
+    EXPECT_FALSE(device.vendor.empty());
+  }
+}
+
+ExitStatus status_of(const std::string& name) {
+  try {
+    open_context(name);
+  } catch (const Error& e) {
+    return e.status();
+  }
+  return ExitStatus::done;
+}
+
+TEST(Context, RefusesDevicesThatAreNotThere) {
+  EXPECT_EQ(status_of("egl:99"), ExitStatus::device);
+  EXPECT_EQ(status_of("egl:-1"), ExitStatus::usage);
+  EXPECT_EQ(status_of("egl:0x"), ExitStatus::usage);
+  EXPECT_EQ(status_of("vulkan"), ExitStatus::usage);
+}
+
+}  // namespace
+}  // namespace shadertwin::gl
