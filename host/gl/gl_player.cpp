@@ -1,0 +1,442 @@
+#include "host/gl/gl_player.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+#include "host/base/error.h"
+#include "host/gl/objects.h"
+#include "host/gl/program.h"
+#include "host/gl/textures.h"
+#include "host/player/inputs.h"
+#include "host/player/uniforms.h"
+#include "host/project/compute_text.h"
+
+namespace shadertwin::gl {
+
+namespace {
+
+constexpr GLuint keyboard_unit = max_channels;  // iKeyboard of the extension
+constexpr Sampler nearest{MinFilter::nearest, MagFilter::nearest, Wrap::clamp, false};
+
+// Where one uniform of a program goes, and where its value comes from.
+struct UniformSlot {
+  GLint location;
+  UniformType type;
+  int count;
+  std::size_t offset;  // in Uniforms
+};
+
+void set_uniform(const Functions& gl, GLint location, UniformType type, int count, const void* value) {
+  const auto* f = static_cast<const GLfloat*>(value);
+  const auto* i = static_cast<const GLint*>(value);
+  switch (type) {
+    case UniformType::float1:
+      gl.Uniform1fv(location, count, f);
+      break;
+    case UniformType::float2:
+      gl.Uniform2fv(location, count, f);
+      break;
+    case UniformType::float3:
+      gl.Uniform3fv(location, count, f);
+      break;
+    case UniformType::float4:
+      gl.Uniform4fv(location, count, f);
+      break;
+    case UniformType::int1:
+      gl.Uniform1iv(location, count, i);
+      break;
+    case UniformType::int2:
+      gl.Uniform2iv(location, count, i);
+      break;
+    case UniformType::int3:
+      gl.Uniform3iv(location, count, i);
+      break;
+    case UniformType::int4:
+      gl.Uniform4iv(location, count, i);
+      break;
+    case UniformType::mat4:
+      gl.UniformMatrix4fv(location, count, GL_FALSE, f);
+      break;
+  }
+}
+
+bool is_integer(UniformType type) {
+  return type >= UniformType::int1 && type <= UniformType::int4;
+}
+
+// What a pass draws into: one picture, or two that take turns when the previous one is still read.
+struct Target {
+  GLenum kind = GL_TEXTURE_2D;
+  glm::ivec2 size{0};
+  bool mipmaps = false;
+  std::array<TextureObject, 2> textures;
+  std::array<FramebufferObject, 2> framebuffers;
+  std::size_t pictures = 1;
+  std::size_t front = 0;  // holds what was drawn last
+
+  std::size_t back() const { return pictures == 2 ? 1 - front : 0; }
+};
+
+struct Channel {
+  GLuint unit = 0;
+  const Input* input = nullptr;
+  SamplerObject sampler;
+  BoundTexture fixed;  // for everything but passes
+};
+
+struct PassState {
+  std::optional<Program> program;
+  bool compute = false;
+  std::vector<UniformSlot> uniforms;
+  GLint face = -1;    // of a cubemap pass
+  GLint origin = -1;  // of a compute program
+  std::vector<Channel> channels;
+  ChannelSizes sizes{};
+  Target target;
+};
+
+class GlPlayerImpl final : public GlPlayer {
+ public:
+  GlPlayerImpl(std::unique_ptr<Context> context, const Project& project, const PlayerOptions& options)
+      : context_(std::move(context)), gl_(context_->functions()), project_(project) {
+    context_->make_current();
+    vertex_array_ = VertexArrayObject(gl_);
+    gl_.BindVertexArray(vertex_array_.name());
+    gl_.Disable(GL_DITHER);
+    nearest_ = make_sampler(gl_, nearest);
+    for (const GLenum target : {GL_TEXTURE_2D, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_3D})
+      unbound_[target] = make_unbound(gl_, target);
+    passes_.resize(project_.passes.size());
+    for (std::size_t i = 0; i < passes_.size(); ++i) {
+      if (project_.passes[i].kind == PassKind::sound) continue;
+      compile(i, options.dispatch);
+      bind_inputs(i);
+    }
+    const auto history = passes_with_history(project_);
+    for (std::size_t i = 0; i < passes_.size(); ++i) {
+      passes_[i].target.pictures = history[i] ? 2 : 1;
+      passes_[i].target.kind =
+          project_.passes[i].kind == PassKind::cubemap ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
+    }
+    for (const Pass& pass : project_.passes)
+      for (const Input& input : pass.inputs)
+        if (input.kind == InputKind::pass && uses_mipmaps(input.sampler.min))
+          passes_[static_cast<std::size_t>(input.pass)].target.mipmaps = true;
+  }
+
+  ~GlPlayerImpl() override { context_->make_current(); }
+
+  void render(const Frame& frame) override {
+    context_->make_current();
+    resize({frame.width, frame.height});
+    if (frame.index == 0) clear();
+    upload_keyboard(frame);
+    for (std::size_t i = 0; i < passes_.size(); ++i)
+      if (project_.passes[i].kind != PassKind::sound) draw(i, frame);
+    gl_.Flush();
+  }
+
+  Image read(int pass) override {
+    context_->make_current();
+    const Target& target = passes_.at(static_cast<std::size_t>(pass)).target;
+    const bool cube = target.kind == GL_TEXTURE_CUBE_MAP;
+    const int faces = cube ? 6 : 1;
+    Image image(target.size.x, target.size.y * faces);
+    gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffers[target.front].name());
+    for (int face = 0; face < faces; ++face) {
+      if (cube) attach_face(target, target.front, face);
+      gl_.ReadPixels(0, 0, target.size.x, target.size.y, GL_RGBA, GL_FLOAT,
+                     image.at(0, face * target.size.y));
+    }
+    if (gl_.GetError() != GL_NO_ERROR)
+      throw Error(ExitStatus::device, context_->info().name + ": the picture can't be read back");
+    return image;
+  }
+
+  void finish() override {
+    context_->make_current();
+    gl_.Finish();
+  }
+
+  std::string description() const override {
+    const bool compute =
+        std::any_of(passes_.begin(), passes_.end(), [](const PassState& p) { return p.compute; });
+    return context_->info().name + (compute ? "/compute: " : "/fragment: ") + context_->info().renderer;
+  }
+
+  GLuint texture(int pass) const override {
+    const Target& target = passes_.at(static_cast<std::size_t>(pass)).target;
+    return target.textures[target.front].name();
+  }
+  Context& context() override { return *context_; }
+  const std::vector<std::string>& warnings() const override { return warnings_; }
+
+ private:
+  void compile(std::size_t index, Dispatch dispatch) {
+    const Pass& pass = project_.passes[index];
+    PassState& state = passes_[index];
+    const DeviceInfo& device = context_->info();
+    if (dispatch == Dispatch::automatic)
+      dispatch = device.compute && device.vendor.find("NVIDIA") != std::string::npos ? Dispatch::compute
+                                                                                     : Dispatch::fragment;
+    if (dispatch == Dispatch::compute) {
+      std::string why = "this device has no compute shaders";
+      state.compute = device.compute && can_run_as_compute(pass, &why);
+      if (!state.compute) warnings_.push_back(pass.name + ": warning: runs as fragments: " + why);
+    }
+    state.program =
+        state.compute ? Program::compute(gl_, project_, pass) : Program::fragment(gl_, project_, pass);
+    const Program& program = *state.program;
+    gl_.UseProgram(program.name());
+    for (const UniformField& field : uniform_fields())
+      if (const GLint location = program.uniform(field.name); location >= 0)
+        state.uniforms.push_back({location, field.type, field.count, field.offset});
+    for (const CustomUniform& custom : project_.uniforms) set_custom(program, custom);
+    state.face = program.uniform("shadertwin_face");
+    state.origin = program.uniform("shadertwin_origin");
+    for (std::size_t i = 0; i < max_channels; ++i)
+      if (const GLint location = program.uniform("iChannel" + std::to_string(i)); location >= 0)
+        gl_.Uniform1i(location, static_cast<GLint>(i));
+    if (const GLint location = program.uniform("iKeyboard"); location >= 0)
+      gl_.Uniform1i(location, static_cast<GLint>(keyboard_unit));
+  }
+
+  void set_custom(const Program& program, const CustomUniform& custom) {
+    const GLint location = program.uniform(custom.name);
+    if (location < 0) return;
+    std::array<GLint, 4> integers{};
+    for (std::size_t i = 0; i < 4; ++i) integers[i] = static_cast<GLint>(custom.value[i]);
+    if (is_integer(custom.type))
+      set_uniform(gl_, location, custom.type, 1, integers.data());
+    else
+      set_uniform(gl_, location, custom.type, 1, custom.value.data());
+  }
+
+  void bind_inputs(std::size_t index) {
+    const Pass& pass = project_.passes[index];
+    PassState& state = passes_[index];
+    for (std::size_t i = 0; i < max_channels; ++i) {
+      const Input& input = pass.inputs[i];
+      if (state.program->uniform("iChannel" + std::to_string(i)) < 0 && input.kind == InputKind::none)
+        continue;
+      Channel channel;
+      channel.unit = static_cast<GLuint>(i);
+      channel.input = &input;
+      channel.sampler = make_sampler(gl_, input.sampler);
+      const Texture* loaded = nullptr;
+      switch (input.kind) {
+        case InputKind::texture:
+        case InputKind::cubemap: {
+          Picture& picture = load(input);
+          channel.fixed = {texture_target(picture.texture), picture.object.name()};
+          loaded = &picture.texture;
+          break;
+        }
+        case InputKind::keyboard:
+          need_keyboard();
+          channel.fixed = {GL_TEXTURE_2D, keyboard_.name()};
+          channel.sampler = make_sampler(gl_, nearest);
+          break;
+        case InputKind::pass:
+          break;
+        default:
+          channel.fixed = {GL_TEXTURE_2D, unbound_.at(GL_TEXTURE_2D).name()};
+          break;
+      }
+      // Sizes of buffers follow the frame and are filled in when the targets are made.
+      if (input.kind != InputKind::pass) state.sizes[i] = channel_size(project_, input, loaded, {0, 0});
+      state.channels.push_back(std::move(channel));
+    }
+    if (state.program->uniform("iKeyboard") >= 0) need_keyboard();
+  }
+
+  struct Picture {
+    Texture texture;  // the texels are dropped after the upload
+    TextureObject object;
+  };
+
+  // Each file goes to the GPU once, whatever number of channels reads it.
+  Picture& load(const Input& input) {
+    const bool mipmaps = uses_mipmaps(input.sampler.min);
+    std::string key = std::string(mipmaps ? "mipmaps" : "plain") + (input.sampler.vflip ? " flipped" : "");
+    for (const auto& file : input.files) key += '\n' + file.string();
+    auto found = pictures_.find(key);
+    if (found == pictures_.end()) {
+      Picture picture{load_texture(input), {}};
+      picture.object = upload(gl_, picture.texture, mipmaps);
+      picture.texture.data = {};
+      found = pictures_.emplace(std::move(key), std::move(picture)).first;
+    }
+    return found->second;
+  }
+
+  void need_keyboard() {
+    if (keyboard_.name() != 0) return;
+    Texture blank;
+    blank.width = 256;
+    blank.height = project_.dialect == Dialect::shadertoy ? 3 : 4;
+    blank.data.resize(blank.texel_bytes() * 256 * static_cast<std::size_t>(blank.height));
+    keyboard_ = upload(gl_, blank, false);
+  }
+
+  // The site's texture has one channel (g = b = 0), the extension's is grey; alpha is 1 in both.
+  void upload_keyboard(const Frame& frame) {
+    if (keyboard_.name() == 0) return;
+    const bool site = project_.dialect == Dialect::shadertoy;
+    const int rows = site ? 3 : 4;
+    std::vector<std::uint8_t> texels;
+    texels.reserve(std::size_t{256} * 4 * 4);
+    for (std::size_t i = 0; i < std::size_t{256} * static_cast<std::size_t>(rows); ++i) {
+      const std::uint8_t value = frame.keyboard[i];
+      const std::uint8_t other = site ? std::uint8_t{0} : value;
+      texels.insert(texels.end(), {value, other, other, 255});
+    }
+    gl_.BindTexture(GL_TEXTURE_2D, keyboard_.name());
+    gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 256, rows, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+  }
+
+  void attach_face(const Target& target, std::size_t picture, int face) {
+    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
+                             static_cast<GLenum>(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face),
+                             target.textures[picture].name(), 0);
+  }
+
+  // New targets keep, on shadertoy.com, the old pixels from the lower left corner up.
+  void resize(glm::ivec2 size) {
+    if (size == size_) return;
+    if (std::max(size.x, size.y) > context_->info().max_size)
+      throw Error(ExitStatus::usage, context_->info().name + " draws at most " +
+                                         std::to_string(context_->info().max_size) + " pixels wide and high");
+    for (std::size_t i = 0; i < passes_.size(); ++i) {
+      if (project_.passes[i].kind == PassKind::sound) continue;
+      Target& target = passes_[i].target;
+      if (target.kind == GL_TEXTURE_CUBE_MAP && target.size.x != 0) continue;
+      const glm::ivec2 new_size = target.kind == GL_TEXTURE_CUBE_MAP ? glm::ivec2(cubemap_pass_size) : size;
+      for (std::size_t picture = 0; picture < target.pictures; ++picture) {
+        TextureObject texture = make_target(gl_, target.kind, new_size, target.mipmaps);
+        FramebufferObject framebuffer(gl_);
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+        gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
+                                 target.kind == GL_TEXTURE_2D
+                                     ? GL_TEXTURE_2D
+                                     : static_cast<GLenum>(GL_TEXTURE_CUBE_MAP_POSITIVE_X),
+                                 texture.name(), 0);
+        if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+          throw Error(ExitStatus::device, context_->info().name + " can't draw into float32 RGBA");
+        constexpr std::array<GLfloat, 4> zero{};
+        gl_.ClearBufferfv(GL_COLOR, 0, zero.data());
+        if (target.size.x != 0 && project_.dialect == Dialect::shadertoy) {
+          const glm::ivec2 common = glm::min(size, target.size);
+          gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffers[picture].name());
+          gl_.BlitFramebuffer(0, 0, common.x, common.y, 0, 0, common.x, common.y, GL_COLOR_BUFFER_BIT,
+                              GL_NEAREST);
+        }
+        target.textures[picture] = std::move(texture);
+        target.framebuffers[picture] = std::move(framebuffer);
+      }
+      target.size = new_size;
+    }
+    size_ = size;
+    for (std::size_t i = 0; i < passes_.size(); ++i)
+      for (const Channel& channel : passes_[i].channels)
+        if (channel.input->kind == InputKind::pass)
+          passes_[i].sizes[channel.unit] = channel_size(project_, *channel.input, nullptr, size);
+  }
+
+  void clear() {
+    constexpr std::array<GLfloat, 4> zero{};
+    for (const PassState& state : passes_)
+      for (std::size_t picture = 0; picture < state.target.pictures && state.target.size.x != 0; ++picture) {
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, state.target.framebuffers[picture].name());
+        const int faces = state.target.kind == GL_TEXTURE_CUBE_MAP ? 6 : 1;
+        for (int face = 0; face < faces; ++face) {
+          if (faces == 6) attach_face(state.target, picture, face);
+          gl_.ClearBufferfv(GL_COLOR, 0, zero.data());
+        }
+      }
+  }
+
+  void draw(std::size_t index, const Frame& frame) {
+    PassState& state = passes_[index];
+    Target& target = state.target;
+    const std::size_t back = target.back();
+    gl_.UseProgram(state.program->name());
+    const Uniforms values = uniforms_for(project_, project_.passes[index], frame, target.size, state.sizes);
+    for (const UniformSlot& slot : state.uniforms)
+      set_uniform(gl_, slot.location, slot.type, slot.count,
+                  reinterpret_cast<const char*>(&values) + slot.offset);
+    for (const Channel& channel : state.channels) {
+      BoundTexture bound = channel.fixed;
+      if (channel.input->kind == InputKind::pass) {
+        const Target& source = passes_[static_cast<std::size_t>(channel.input->pass)].target;
+        bound = {source.kind, source.textures[source.front].name()};
+      }
+      bind(channel.unit, bound, channel.sampler.name());
+    }
+    if (keyboard_.name() != 0) bind(keyboard_unit, {GL_TEXTURE_2D, keyboard_.name()}, nearest_.name());
+
+    if (state.compute) {
+      gl_.BindImageTexture(compute_target_binding, target.textures[back].name(), 0, GL_FALSE, 0,
+                           GL_WRITE_ONLY, GL_RGBA32F);
+      gl_.Uniform2i(state.origin, 0, 0);
+      const auto groups = [](int pixels) {
+        return static_cast<GLuint>((pixels + group_size - 1) / group_size);
+      };
+      gl_.DispatchCompute(groups(target.size.x), groups(target.size.y), 1);
+      gl_.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+                        GL_FRAMEBUFFER_BARRIER_BIT);
+    } else {
+      gl_.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffers[back].name());
+      gl_.Viewport(0, 0, target.size.x, target.size.y);
+      const int faces = target.kind == GL_TEXTURE_CUBE_MAP ? 6 : 1;
+      for (int face = 0; face < faces; ++face) {
+        if (faces == 6) {
+          attach_face(target, back, face);
+          gl_.Uniform1i(state.face, face);
+        }
+        // The extension clears every target before it draws, which shows where a shader discards.
+        if (project_.dialect == Dialect::vscode) {
+          constexpr std::array<GLfloat, 4> zero{};
+          gl_.ClearBufferfv(GL_COLOR, 0, zero.data());
+        }
+        gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+      }
+    }
+    target.front = back;
+    if (target.mipmaps) {
+      gl_.ActiveTexture(GL_TEXTURE0);
+      gl_.BindTexture(target.kind, target.textures[target.front].name());
+      gl_.GenerateMipmap(target.kind);
+    }
+  }
+
+  void bind(GLuint unit, const BoundTexture& texture, GLuint sampler) {
+    gl_.ActiveTexture(GL_TEXTURE0 + unit);
+    gl_.BindTexture(texture.target, texture.name);
+    gl_.BindSampler(unit, sampler);
+  }
+
+  std::unique_ptr<Context> context_;  // before every object that lives in it
+  const Functions& gl_;
+  Project project_;
+  VertexArrayObject vertex_array_;
+  std::map<GLenum, TextureObject> unbound_;
+  std::map<std::string, Picture> pictures_;
+  TextureObject keyboard_;
+  SamplerObject nearest_;
+  std::vector<PassState> passes_;
+  glm::ivec2 size_{0};
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace
+
+std::unique_ptr<GlPlayer> GlPlayer::create(std::unique_ptr<Context> context, const Project& project,
+                                           const PlayerOptions& options) {
+  return std::make_unique<GlPlayerImpl>(std::move(context), project, options);
+}
+
+}  // namespace shadertwin::gl

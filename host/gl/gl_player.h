@@ -1,0 +1,38 @@
+// Plays a project on OpenGL.
+#pragma once
+
+#include <memory>
+
+#include "host/gl/context.h"
+#include "host/player/player.h"
+#include "host/project/project.h"
+
+namespace shadertwin::gl {
+
+// How fragments run. A pass that can't run as compute (it uses derivatives, say) falls back to a fragment
+// program.
+enum class Dispatch {
+  automatic,  // compute on NVIDIA GPUs, whose data-centre models have few units for fragments; else fragment
+  fragment,
+  compute,
+};
+
+struct PlayerOptions {
+  Dispatch dispatch = Dispatch::automatic;
+};
+
+class GlPlayer : public Player {
+ public:
+  // Compiles every pass and loads every input. Throws Error(shader), Error(file), or Error(device) if the
+  // context has no float targets.
+  static std::unique_ptr<GlPlayer> create(std::unique_ptr<Context> context, const Project& project,
+                                          const PlayerOptions& options = {});
+
+  // The texture (GL_TEXTURE_2D, RGBA32F) that holds what pass `pass` drew last.
+  virtual GLuint texture(int pass) const = 0;
+  virtual Context& context() = 0;
+  // `file:line: warning: text` lines: passes that could not run as asked for.
+  virtual const std::vector<std::string>& warnings() const = 0;
+};
+
+}  // namespace shadertwin::gl

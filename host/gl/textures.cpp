@@ -1,0 +1,102 @@
+#include "host/gl/textures.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace shadertwin::gl {
+
+namespace {
+
+GLsizei mip_levels(int width, int height, int depth) {
+  return static_cast<GLsizei>(std::bit_width(static_cast<unsigned>(std::max({width, height, depth}))));
+}
+
+// Without this GL treats a texture whose chain is not complete as unbound when a sampler asks for mipmaps.
+void limit_levels(const Functions& gl, GLenum target, GLsizei levels) {
+  gl.TexParameteri(target, GL_TEXTURE_MAX_LEVEL, levels - 1);
+}
+
+}  // namespace
+
+bool uses_mipmaps(MinFilter filter) {
+  return filter != MinFilter::nearest && filter != MinFilter::linear;
+}
+
+GLenum texture_target(const Texture& texture) {
+  if (texture.faces == 6) return GL_TEXTURE_CUBE_MAP;
+  return texture.depth > 1 ? GL_TEXTURE_3D : GL_TEXTURE_2D;
+}
+
+TextureObject upload(const Functions& gl, const Texture& texture, bool mipmaps) {
+  TextureObject object(gl);
+  const GLenum target = texture_target(texture);
+  const GLenum format = texture.format == Texture::Format::rgba8 ? GL_RGBA8 : GL_RGBA32F;
+  const GLenum type = texture.format == Texture::Format::rgba8 ? GL_UNSIGNED_BYTE : GL_FLOAT;
+  const GLsizei levels = mipmaps ? mip_levels(texture.width, texture.height, texture.depth) : 1;
+  gl.BindTexture(target, object.name());
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  const std::size_t face_bytes = texture.texel_bytes() * texture.width * texture.height * texture.depth;
+  if (target == GL_TEXTURE_3D) {
+    gl.TexStorage3D(target, levels, format, texture.width, texture.height, texture.depth);
+    gl.TexSubImage3D(target, 0, 0, 0, 0, texture.width, texture.height, texture.depth, GL_RGBA, type,
+                     texture.data.data());
+  } else {
+    gl.TexStorage2D(target, levels, format, texture.width, texture.height);
+    for (int face = 0; face < texture.faces; ++face)
+      gl.TexSubImage2D(target == GL_TEXTURE_2D ? GL_TEXTURE_2D
+                                               : static_cast<GLenum>(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face),
+                       0, 0, 0, texture.width, texture.height, GL_RGBA, type,
+                       texture.data.data() + face_bytes * static_cast<std::size_t>(face));
+  }
+  limit_levels(gl, target, levels);
+  if (levels > 1) gl.GenerateMipmap(target);
+  return object;
+}
+
+TextureObject make_target(const Functions& gl, GLenum target, glm::ivec2 size, bool mipmaps) {
+  TextureObject object(gl);
+  const GLsizei levels = mipmaps ? mip_levels(size.x, size.y, 1) : 1;
+  gl.BindTexture(target, object.name());
+  gl.TexStorage2D(target, levels, GL_RGBA32F, size.x, size.y);
+  limit_levels(gl, target, levels);
+  return object;
+}
+
+TextureObject make_unbound(const Functions& gl, GLenum target) {
+  Texture black;
+  black.width = black.height = 1;
+  black.faces = target == GL_TEXTURE_CUBE_MAP ? 6 : 1;
+  for (int face = 0; face < black.faces; ++face)
+    for (const int value : {0, 0, 0, 255}) black.data.push_back(static_cast<std::byte>(value));
+  if (target != GL_TEXTURE_3D) return upload(gl, black, false);
+  TextureObject object(gl);
+  gl.BindTexture(target, object.name());
+  gl.TexStorage3D(target, 1, GL_RGBA8, 1, 1, 1);
+  gl.TexSubImage3D(target, 0, 0, 0, 0, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, black.data.data());
+  limit_levels(gl, target, 1);
+  return object;
+}
+
+SamplerObject make_sampler(const Functions& gl, const Sampler& sampler) {
+  static constexpr std::array<GLint, 6> min_filters = {
+      GL_NEAREST,
+      GL_LINEAR,
+      GL_NEAREST_MIPMAP_NEAREST,
+      GL_NEAREST_MIPMAP_LINEAR,
+      GL_LINEAR_MIPMAP_NEAREST,
+      GL_LINEAR_MIPMAP_LINEAR,
+  };
+  static constexpr std::array<GLint, 3> wraps = {GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT};
+  SamplerObject object(gl);
+  const auto set = [&](GLenum what, GLint value) { gl.SamplerParameteri(object.name(), what, value); };
+  const GLint wrap = wraps[static_cast<std::size_t>(sampler.wrap)];
+  set(GL_TEXTURE_MIN_FILTER, min_filters[static_cast<std::size_t>(sampler.min)]);
+  set(GL_TEXTURE_MAG_FILTER, sampler.mag == MagFilter::nearest ? GL_NEAREST : GL_LINEAR);
+  set(GL_TEXTURE_WRAP_S, wrap);
+  set(GL_TEXTURE_WRAP_T, wrap);
+  set(GL_TEXTURE_WRAP_R, wrap);
+  return object;
+}
+
+}  // namespace shadertwin::gl

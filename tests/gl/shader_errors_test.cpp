@@ -1,0 +1,58 @@
+// Messages of the driver name the user's own files and lines.
+#include "host/base/error.h"
+#include "tests/gl/play.h"
+
+namespace shadertwin {
+namespace {
+
+using ShaderErrors = OnEveryDevice;
+
+TEST_P(ShaderErrors, NameTheLineInTheFile) {
+  const auto shader =
+      folder.write("bad.glsl", "\n\nvoid mainImage(out vec4 c, in vec2 p) {\n  c = nothing;\n}\n");
+  try {
+    play(load_project(shader));
+    FAIL() << "the shader compiled";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.status(), ExitStatus::shader);
+    EXPECT_NE(std::string(e.what()).find("bad.glsl:4: error: "), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("nothing"), std::string::npos) << e.what();
+  }
+}
+
+TEST_P(ShaderErrors, NameTheLineInAnInclude) {
+  folder.write("lib/deep.glsl", "float deep() {\n  return undefined_thing;\n}\n");
+  folder.write("lib/mid.glsl", "float mid() { return 1.; }\n#include \"deep.glsl\"\n");
+  const auto shader = folder.write(
+      "main.glsl", "#include \"lib/mid.glsl\"\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(mid()); }\n");
+  try {
+    play(load_project(shader));
+    FAIL() << "the shader compiled";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("deep.glsl:2: error: "), std::string::npos) << e.what();
+  }
+}
+
+TEST_P(ShaderErrors, NameTheLineInCommonAndInATab) {
+  folder.write("tabs/common.glsl", std::string(50, '\n') + "float broken( { }\n");
+  folder.write("tabs/image.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n");
+  try {
+    play(load_project(folder / "tabs"));
+    FAIL() << "the shader compiled";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("common.glsl:51: error: "), std::string::npos) << e.what();
+  }
+  folder.write("tabs/common.glsl", std::string(50, '\n'));
+  folder.write("tabs/image.glsl", "void mainImage(out vec4 c, in vec2 p) {\n\n  c = vec4(1) }\n");
+  try {
+    play(load_project(folder / "tabs"));
+    FAIL() << "the shader compiled";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("image.glsl:3: error: "), std::string::npos) << e.what();
+  }
+}
+
+SHADERTWIN_ON_EVERY_DEVICE(ShaderErrors);
+
+}  // namespace
+}  // namespace shadertwin
