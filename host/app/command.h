@@ -1,0 +1,12 @@
+// The subcommands. Each function declares one subcommand's options and what it does.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace shadertwin::app {
+
+// Callbacks throw Error; main turns that into one line and an exit status.
+void add_devices(CLI::App& app);
+void add_render(CLI::App& app);
+
+}  // namespace shadertwin::app

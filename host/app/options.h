@@ -1,0 +1,43 @@
+// The options that every subcommand which plays a shader shares.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "host/player/fixed_clock.h"
+#include "host/project/project.h"
+
+namespace shadertwin::app {
+
+struct PlayOptions {
+  std::string shader;
+  std::string on = "auto";
+  std::string size = "640x360";
+  int frames = 1;
+  double fps = 60.0;
+  double time = 0.0;
+  std::string date;
+  std::vector<std::string> mouse;
+  std::vector<std::string> keys;
+  std::vector<std::string> defines;
+  std::string pass;
+  std::string json;
+  bool quiet = false;
+  std::string seed;
+};
+
+// Adds SHADER and the options; `on` is left out for subcommands that name their players otherwise.
+void add_play_options(CLI::App& command, PlayOptions& options);
+void add_on_option(CLI::App& command, PlayOptions& options);
+
+// All three throw Error(usage) on a value that makes no sense.
+Schedule make_schedule(const PlayOptions& options);
+LoadOptions make_load_options(const PlayOptions& options);
+// Index of the pass that --pass names, or of the last one.
+int chosen_pass(const Project& project, const PlayOptions& options);
+
+// Loads the project and prints its warnings unless --quiet.
+Project load(const PlayOptions& options);
+
+}  // namespace shadertwin::app
