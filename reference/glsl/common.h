@@ -1,7 +1,7 @@
 // GLSL's common functions: rounding, comparison, blending, classification, and the bits of floats.
 #pragma once
 
-#include "reference/glsl/elementary.h"
+#include "reference/glsl/exponential.h"
 
 namespace shadertwin::glsl {
 
@@ -77,10 +77,14 @@ SHADERTWIN_INLINE vec4 modf(vec4 x, vec4& whole) {
 
 // The other operand if one is a NaN; of two zeros the second.
 SHADERTWIN_INLINE Float min(Float a, Float b) {
-  return b != b ? a : detail::first_if_less(a, b);
+  if (b != b) [[unlikely]]
+    return a;
+  return detail::first_if_less(a, b);
 }
 SHADERTWIN_INLINE Float max(Float a, Float b) {
-  return b != b ? a : detail::first_if_greater(a, b);
+  if (b != b) [[unlikely]]
+    return a;
+  return detail::first_if_greater(a, b);
 }
 SHADERTWIN_INLINE int min(int a, int b) {
   return a < b ? a : b;
@@ -202,12 +206,12 @@ SHADERTWIN_MAP_1(uintBitsToFloat, vec, uvec)
 
 namespace detail {
 
-// IEEE half precision, rounded to nearest even; a NaN keeps its upper bits and is made quiet.
+// IEEE half precision, rounded to nearest even; a NaN has all bits set.
 constexpr uint half_of(float value) {
   const uint pattern = std::bit_cast<uint>(value);
   const uint sign = (pattern >> 16) & 0x8000U;
   const uint magnitude = pattern & 0x7fffffffU;
-  if (magnitude > 0x7f800000U) return sign | 0x7e00U | ((magnitude >> 13) & 0x3ffU);
+  if (magnitude > 0x7f800000U) return sign | 0x7fffU;
   if (magnitude >= 0x477ff000U) return sign | 0x7c00U;  // 65520 and above round to infinity
   if (magnitude < 0x33000000U) return sign;             // below half of the smallest
   const uint exponent = magnitude >> 23;

@@ -5,9 +5,10 @@
 // llvmpipe, whether polynomials are fused.
 #pragma once
 
-#include "reference/glsl/check.h"       // IWYU pragma: export
-#include "reference/glsl/common.h"      // IWYU pragma: export
-#include "reference/glsl/elementary.h"  // IWYU pragma: export
-#include "reference/glsl/integer.h"     // IWYU pragma: export
-#include "reference/glsl/types.h"       // IWYU pragma: export
-#include "reference/glsl/vector.h"      // IWYU pragma: export
+#include "reference/glsl/check.h"         // IWYU pragma: export
+#include "reference/glsl/common.h"        // IWYU pragma: export
+#include "reference/glsl/exponential.h"   // IWYU pragma: export
+#include "reference/glsl/integer.h"       // IWYU pragma: export
+#include "reference/glsl/trigonometry.h"  // IWYU pragma: export
+#include "reference/glsl/types.h"         // IWYU pragma: export
+#include "reference/glsl/vector.h"        // IWYU pragma: export

@@ -157,12 +157,22 @@ SHADERTWIN_INLINE Swizzle<glm::vec<N, T>, I...> swizzle(glm::vec<N, T>& v) {
 
 namespace detail {
 
+#if defined(__SSE2__)
+// The register that x is in; what stands beside x is not defined. _mm_set_ss would spend an instruction on
+// it.
+SHADERTWIN_INLINE __m128 lane(float x) {
+  __m128 vector;
+  asm("" : "=x"(vector) : "0"(x));
+  return vector;
+}
+#endif
+
 // x86's conversion instructions, as llvmpipe uses them: what the target can't hold gives 0x80000000 for int,
 // and for uint the same or 0xffffffff, by processor. Other processors saturate, and make NaN 0.
 SHADERTWIN_INLINE int float_to_int(float x) {
   SHADERTWIN_PROBE(!(x > -2147483904.0F && x < 2147483648.0F), conversion_out_of_range);
 #if defined(__SSE2__)
-  return _mm_cvttss_si32(_mm_set_ss(x));
+  return _mm_cvttss_si32(lane(x));
 #else
   return x != x ? 0 : x <= -2147483648.0F ? INT32_MIN : x >= 2147483648.0F ? INT32_MAX : static_cast<int>(x);
 #endif
@@ -170,10 +180,10 @@ SHADERTWIN_INLINE int float_to_int(float x) {
 SHADERTWIN_INLINE uint float_to_uint(float x) {
   SHADERTWIN_PROBE(!(x > -1.0F && x < 4294967296.0F), conversion_out_of_range);
 #if defined(__AVX512VL__) && defined(__AVX512DQ__)
-  return _mm_cvttss_u32(_mm_set_ss(x));
+  return _mm_cvttss_u32(lane(x));
 #elif defined(__SSE2__)
-  const uint low = static_cast<uint>(_mm_cvttss_si32(_mm_set_ss(x)));
-  const uint high = static_cast<uint>(_mm_cvttss_si32(_mm_set_ss(x - 2147483648.0F)));
+  const uint low = static_cast<uint>(_mm_cvttss_si32(lane(x)));
+  const uint high = static_cast<uint>(_mm_cvttss_si32(lane(x - 2147483648.0F)));
   return low | (high & static_cast<uint>(static_cast<int>(low) >> 31));
 #else
   return !(x > 0.0F) ? 0U : x >= 4294967296.0F ? UINT32_MAX : static_cast<uint>(x);

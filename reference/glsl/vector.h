@@ -26,8 +26,9 @@ SHADERTWIN_INLINE vec3 cross(vec3 a, vec3 b) {
   return vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 
+// Mesa squares here too, so that what is below 2^-63 or above 2^64 has no length.
 SHADERTWIN_INLINE Float length(Float x) {
-  return std::fabs(x);
+  return std::sqrt(x * x);
 }
 SHADERTWIN_INLINE Float distance(Float a, Float b) {
   return std::fabs(a - b);
