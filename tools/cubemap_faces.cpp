@@ -15,7 +15,9 @@ void write_faces(const std::string& map_file, const std::string& name, int size,
   for (int face = 0; face < 6; ++face) {
     shadertwin::Image image = shadertwin::cube_face(map, face, size, samples);
     shadertwin::encode_srgb(image, exposure);
-    shadertwin::write_image(image, name + "_" + shadertwin::face_names[face] + "." + extension);
+    std::string file = name;
+    file.append("_").append(shadertwin::face_names[face]).append(".").append(extension);
+    shadertwin::write_image(image, file);
   }
 }
 
