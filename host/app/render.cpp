@@ -1,16 +1,15 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <regex>
 
 #include "host/app/command.h"
 #include "host/app/options.h"
 #include "host/app/players.h"
 #include "host/app/progress.h"
+#include "host/app/report.h"
 #include "host/base/error.h"
 #include "host/base/output_file.h"
 #include "host/image/image.h"
@@ -101,15 +100,6 @@ nlohmann::json statistics(const Image& image) {
   nlohmann::json j = {{"nan", nan}, {"inf", infinite}, {"negative", negative}};
   if (finite != 0) j.update({{"min", low}, {"max", high}, {"mean", sum / static_cast<double>(finite)}});
   return j;
-}
-
-void write_report(const std::string& file, const nlohmann::json& report) {
-  OutputFile output(file);
-  std::ofstream stream(output.path());
-  stream << report.dump(2) << '\n';
-  stream.close();
-  if (!stream) throw Error(ExitStatus::file, file + ": can't be written");
-  output.commit();
 }
 
 void render(const RenderOptions& options) {

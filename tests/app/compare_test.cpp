@@ -1,0 +1,62 @@
+// `shadertwin compare` as a user types it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "host/image/image.h"
+#include "tests/app/command_line.h"
+
+namespace shadertwin {
+namespace {
+
+class CompareCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder.write("a.glsl",
+                 "#iChannel0 \"self\"\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+                 "  c = texelFetch(iChannel0, ivec2(p), 0) * 1.3 + vec4(p, iTime, 1) / 7.;\n}\n");
+    folder.write("main.glsl",
+                 "#iChannel0 \"a.glsl\"\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+                 "  c = sqrt(texelFetch(iChannel0, ivec2(p), 0));\n}\n");
+  }
+  ScratchFolder folder;
+};
+
+TEST_F(CompareCommand, EglAndOsmesaGiveTheSameBitsInEveryPass) {
+  const Outcome outcome = run(folder,
+                              "compare main.glsl --on egl --on osmesa --size 32x18 --frames 5 --every-frame "
+                              "--max-ulp 0 --min-equal 100 --json r.json --heatmap h.png");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("A: egl:0"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("B: osmesa"), std::string::npos) << outcome.out;
+  const auto report = nlohmann::json::parse(contents(folder / "r.json"));
+  EXPECT_EQ(report["passes"].size(), 2U);
+  EXPECT_EQ(report["passes"][0]["name"], "a");
+  EXPECT_EQ(report["passes"][1]["channels"]["b"]["equal_percent"], 100.0);
+  EXPECT_EQ(report["first_difference"], -1);
+  const Image map = read_image(folder / "h.png");
+  EXPECT_EQ(map.width, 32);
+  EXPECT_EQ(*std::max_element(map.at(0, 0), map.at(0, 0) + 3), 0.0F);
+}
+
+TEST_F(CompareCommand, PassLimitsTheComparison) {
+  const Outcome outcome =
+      run(folder, "compare main.glsl --on egl --on osmesa --size 8x8 --pass a --json r.json");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(contents(folder / "r.json"))["passes"].size(), 1U);
+}
+
+TEST_F(CompareCommand, NeedsTwoPlayers) {
+  EXPECT_EQ(run(folder, "compare main.glsl").status, 2);
+  EXPECT_EQ(run(folder, "compare main.glsl --on egl").status, 2);
+  EXPECT_EQ(run(folder, "compare main.glsl --on egl --on egl --on egl").status, 2);
+  EXPECT_EQ(run(folder, "compare main.glsl --on egl --on nothing").status, 2);
+}
+
+TEST_F(CompareCommand, RefusesLimitsThatMakeNoSense) {
+  EXPECT_EQ(run(folder, "compare main.glsl --on egl --on egl --max-ulp -1").status, 2);
+  EXPECT_EQ(run(folder, "compare main.glsl --on egl --on egl --min-equal 101").status, 2);
+}
+
+}  // namespace
+}  // namespace shadertwin
