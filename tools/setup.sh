@@ -17,6 +17,13 @@ packages() {
   for kind; do awk -v kind="$kind" '$1 == kind { print $2 }' "$root/tools/packages.txt"; done
 }
 
+# without_commands NAMES: those that are no command. One that is was installed in another way (Node.js from its own
+# makers, say), beside which Debian's package may not stand.
+without_commands() {
+  local name
+  for name in $1; do command -v "$name" >/dev/null || echo "$name"; done
+}
+
 # install_packages KIND...: gets the packages that this machine lacks.
 install_packages() {
   if ! command -v dpkg-query apt-get >/dev/null; then
@@ -28,6 +35,7 @@ install_packages() {
   installed=$(packages "$@" | xargs dpkg-query -W -f '${db:Status-Status} ${Package}\n' 2>/dev/null |
     awk '$1 == "installed" { print $2 }' || true)
   missing=$(packages "$@" | grep -vxF -e "$installed" || true)
+  missing=$(without_commands "$missing")
   [[ -n $missing ]] || return 0
 
   if ((EUID != 0)); then
