@@ -28,6 +28,12 @@ void Context::make_current() {
   current = this;
 }
 
+void Context::release() {
+  if (current != this) return;
+  unbind();
+  current = nullptr;
+}
+
 bool Context::has_extension(const std::string& name) const {
   return std::find(extensions_.begin(), extensions_.end(), name) != extensions_.end();
 }

@@ -32,6 +32,8 @@ class Context {
   // Makes this the calling thread's context; costs nothing if it is already. Every use of functions() needs
   // it.
   void make_current();
+  // Leaves the calling thread without this context, so that another thread may make it current.
+  void release();
   const Functions& functions() const { return functions_; }
   const DeviceInfo& info() const { return info_; }
   bool has_extension(const std::string& name) const;
@@ -40,6 +42,7 @@ class Context {
   // To be called by a derived class once its context is current.
   void load(const std::function<void*(const char*)>& get_proc_address, std::string name, bool software);
   virtual void bind() = 0;
+  virtual void unbind() = 0;
 
  private:
   Functions functions_;

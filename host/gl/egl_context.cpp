@@ -88,12 +88,14 @@ class EglContext final : public Context {
  private:
   void bind() override {
     egl_->eglBindAPI(EGL_OPENGL_ES_API);
-    // Another library (OSMesa) may have taken the thread over without EGL's knowledge; EGL then ignores a call that
-    // names the context it still believes in.
+    // Another library (OSMesa) may have taken the thread over without EGL's knowledge; EGL then ignores a
+    // call that names the context it still believes in.
     egl_->eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (egl_->eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_TRUE)
       throw Error(ExitStatus::device, "the EGL context can't be made current");
   }
+
+  void unbind() override { egl_->eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
 
   std::shared_ptr<const Egl> egl_;
   EGLDisplay display_ = EGL_NO_DISPLAY;

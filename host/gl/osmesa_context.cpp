@@ -42,6 +42,8 @@ class OsmesaContext final : public Context {
       throw Error(ExitStatus::device, "OSMesa's context can't be made current");
   }
 
+  void unbind() override { make_current_(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0); }
+
   Library library_;
   decltype(&OSMesaCreateContextAttribs) create_;
   decltype(&OSMesaDestroyContext) destroy_;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "host/base/error.h"
 
 namespace shadertwin::gl {
@@ -18,6 +20,20 @@ TEST(Context, EglAndOsmesaLiveSideBySide) {
               osmesa->info().version);
   }
   EXPECT_NE(egl->info().version, osmesa->info().version);
+}
+
+TEST(Context, ReleasedContextMovesToAnotherThread) {
+  for (const char* name : {"egl", "osmesa"}) {
+    std::unique_ptr<Context> context;
+    std::thread([&] {
+      context = open_context(name);
+      context->release();
+    }).join();
+    context->make_current();
+    EXPECT_EQ(reinterpret_cast<const char*>(context->functions().GetString(GL_VERSION)),
+              context->info().version)
+        << name;
+  }
 }
 
 TEST(Context, ListsWhatItCanOpenByThoseNames) {
