@@ -17,7 +17,7 @@ namespace shadertwin::gl {
   X(BindFramebuffer, BINDFRAMEBUFFER) X(BindImageTexture, BINDIMAGETEXTURE) \
   X(BindSampler, BINDSAMPLER) X(BindTexture, BINDTEXTURE) X(BindVertexArray, BINDVERTEXARRAY) \
   X(BlitFramebuffer, BLITFRAMEBUFFER) X(CheckFramebufferStatus, CHECKFRAMEBUFFERSTATUS) \
-  X(ClearBufferfv, CLEARBUFFERFV) X(CompileShader, COMPILESHADER) X(CreateProgram, CREATEPROGRAM) \
+  X(ClearBufferfv, CLEARBUFFERFV) X(DeleteSync, DELETESYNC) X(FenceSync, FENCESYNC) X(CompileShader, COMPILESHADER) X(CreateProgram, CREATEPROGRAM) \
   X(CreateShader, CREATESHADER) X(DeleteFramebuffers, DELETEFRAMEBUFFERS) \
   X(DeleteProgram, DELETEPROGRAM) X(DeleteQueries, DELETEQUERIES) X(DeleteSamplers, DELETESAMPLERS) \
   X(DeleteShader, DELETESHADER) X(DeleteTextures, DELETETEXTURES) X(DeleteVertexArrays, DELETEVERTEXARRAYS) \
@@ -26,7 +26,7 @@ namespace shadertwin::gl {
   X(GenerateMipmap, GENERATEMIPMAP) X(GenFramebuffers, GENFRAMEBUFFERS) X(GenQueries, GENQUERIES) \
   X(GenSamplers, GENSAMPLERS) X(GenTextures, GENTEXTURES) X(GenVertexArrays, GENVERTEXARRAYS) \
   X(GetError, GETERROR) X(GetIntegerv, GETINTEGERV) X(GetProgramInfoLog, GETPROGRAMINFOLOG) \
-  X(GetProgramiv, GETPROGRAMIV) X(GetQueryObjectuiv, GETQUERYOBJECTUIV) \
+  X(GetProgramiv, GETPROGRAMIV) X(GetQueryObjectuiv, GETQUERYOBJECTUIV) X(GetQueryObjectui64vEXT, GETQUERYOBJECTUI64VEXT) X(WaitSync, WAITSYNC) \
   X(GetShaderInfoLog, GETSHADERINFOLOG) X(GetShaderiv, GETSHADERIV) X(GetString, GETSTRING) \
   X(GetStringi, GETSTRINGI) X(GetUniformLocation, GETUNIFORMLOCATION) X(LinkProgram, LINKPROGRAM) \
   X(MemoryBarrier, MEMORYBARRIER) X(PixelStorei, PIXELSTOREI) X(ReadPixels, READPIXELS) \

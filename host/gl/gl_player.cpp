@@ -7,6 +7,7 @@
 
 #include "host/base/error.h"
 #include "host/gl/objects.h"
+#include "host/gl/pass_timers.h"
 #include "host/gl/program.h"
 #include "host/gl/textures.h"
 #include "host/player/inputs.h"
@@ -90,8 +91,9 @@ struct PassState {
   std::optional<Program> program;
   bool compute = false;
   std::vector<UniformSlot> uniforms;
-  GLint face = -1;    // of a cubemap pass
-  GLint origin = -1;  // of a compute program
+  std::vector<GLint> custom;  // locations of Project::uniforms
+  GLint face = -1;            // of a cubemap pass
+  GLint origin = -1;          // of a compute program
   std::vector<Channel> channels;
   ChannelSizes sizes{};
   Target target;
@@ -124,6 +126,7 @@ class GlPlayerImpl final : public GlPlayer {
       for (const Input& input : pass.inputs)
         if (input.kind == InputKind::pass && uses_mipmaps(input.sampler.min))
           passes_[static_cast<std::size_t>(input.pass)].target.mipmaps = true;
+    if (options.timers) timers_.emplace(*context_, passes_.size());
   }
 
   ~GlPlayerImpl() override { context_->make_current(); }
@@ -133,8 +136,12 @@ class GlPlayerImpl final : public GlPlayer {
     resize({frame.width, frame.height});
     if (frame.index == 0) clear();
     upload_keyboard(frame);
-    for (std::size_t i = 0; i < passes_.size(); ++i)
-      if (project_.passes[i].kind != PassKind::sound) draw(i, frame);
+    for (std::size_t i = 0; i < passes_.size(); ++i) {
+      if (project_.passes[i].kind == PassKind::sound) continue;
+      if (timers_) timers_->begin(i);
+      draw(i, frame);
+      if (timers_) timers_->end(i);
+    }
     gl_.Flush();
   }
 
@@ -174,6 +181,29 @@ class GlPlayerImpl final : public GlPlayer {
   Context& context() override { return *context_; }
   const std::vector<std::string>& warnings() const override { return warnings_; }
 
+  void continue_from(GlPlayer& earlier) override {
+    auto& old = static_cast<GlPlayerImpl&>(earlier);
+    old.finish();
+    context_->make_current();
+    if (old.size_.x != 0) resize(old.size_);
+    for (std::size_t i = 0; i < passes_.size(); ++i) {
+      const int index = find_pass(old.project_, project_.passes[i].name);
+      if (index < 0) continue;
+      const Target& source = old.passes_[static_cast<std::size_t>(index)].target;
+      Target& target = passes_[i].target;
+      if (source.kind != target.kind || source.size != target.size) continue;
+      target.front = target.pictures == source.pictures ? source.front : 0;
+      for (std::size_t picture = 0; picture < target.pictures; ++picture)
+        copy(source, source.pictures == target.pictures ? picture : source.front, target, picture);
+      make_mipmaps(target);
+    }
+  }
+
+  std::vector<double> milliseconds() override {
+    context_->make_current();
+    return timers_ ? timers_->milliseconds() : std::vector<double>();
+  }
+
  private:
   void compile(std::size_t index, Dispatch dispatch) {
     const Pass& pass = project_.passes[index];
@@ -194,7 +224,8 @@ class GlPlayerImpl final : public GlPlayer {
     for (const UniformField& field : uniform_fields())
       if (const GLint location = program.uniform(field.name); location >= 0)
         state.uniforms.push_back({location, field.type, field.count, field.offset});
-    for (const CustomUniform& custom : project_.uniforms) set_custom(program, custom);
+    for (const CustomUniform& custom : project_.uniforms)
+      state.custom.push_back(program.uniform(custom.name));
     state.face = program.uniform("shadertwin_face");
     state.origin = program.uniform("shadertwin_origin");
     for (std::size_t i = 0; i < max_channels; ++i)
@@ -204,15 +235,14 @@ class GlPlayerImpl final : public GlPlayer {
       gl_.Uniform1i(location, static_cast<GLint>(keyboard_unit));
   }
 
-  void set_custom(const Program& program, const CustomUniform& custom) {
-    const GLint location = program.uniform(custom.name);
+  void set_custom(GLint location, UniformType type, const std::array<float, 4>& value) {
     if (location < 0) return;
     std::array<GLint, 4> integers{};
-    for (std::size_t i = 0; i < 4; ++i) integers[i] = static_cast<GLint>(custom.value[i]);
-    if (is_integer(custom.type))
-      set_uniform(gl_, location, custom.type, 1, integers.data());
+    for (std::size_t i = 0; i < 4; ++i) integers[i] = static_cast<GLint>(value[i]);
+    if (is_integer(type))
+      set_uniform(gl_, location, type, 1, integers.data());
     else
-      set_uniform(gl_, location, custom.type, 1, custom.value.data());
+      set_uniform(gl_, location, type, 1, value.data());
   }
 
   void bind_inputs(std::size_t index) {
@@ -368,6 +398,10 @@ class GlPlayerImpl final : public GlPlayer {
     for (const UniformSlot& slot : state.uniforms)
       set_uniform(gl_, slot.location, slot.type, slot.count,
                   reinterpret_cast<const char*>(&values) + slot.offset);
+    for (std::size_t i = 0; i < state.custom.size(); ++i) {
+      const CustomUniform& custom = project_.uniforms[i];
+      set_custom(state.custom[i], custom.type, i < frame.uniforms.size() ? frame.uniforms[i] : custom.value);
+    }
     for (const Channel& channel : state.channels) {
       BoundTexture bound = channel.fixed;
       if (channel.input->kind == InputKind::pass) {
@@ -406,10 +440,30 @@ class GlPlayerImpl final : public GlPlayer {
       }
     }
     target.front = back;
-    if (target.mipmaps) {
-      gl_.ActiveTexture(GL_TEXTURE0);
-      gl_.BindTexture(target.kind, target.textures[target.front].name());
-      gl_.GenerateMipmap(target.kind);
+    make_mipmaps(target);
+  }
+
+  void make_mipmaps(const Target& target) {
+    if (!target.mipmaps) return;
+    gl_.ActiveTexture(GL_TEXTURE0);
+    gl_.BindTexture(target.kind, target.textures[target.front].name());
+    gl_.GenerateMipmap(target.kind);
+  }
+
+  // `source` may belong to another player in the share group, whose framebuffers don't exist here.
+  void copy(const Target& source, std::size_t from, const Target& target, std::size_t to) {
+    const FramebufferObject reader(gl_);
+    const int faces = target.kind == GL_TEXTURE_CUBE_MAP ? 6 : 1;
+    for (int face = 0; face < faces; ++face) {
+      gl_.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffers[to].name());
+      if (faces == 6) attach_face(target, to, face);
+      gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, reader.name());
+      gl_.FramebufferTexture2D(
+          GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
+          faces == 6 ? static_cast<GLenum>(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face) : GL_TEXTURE_2D,
+          source.textures[from].name(), 0);
+      gl_.BlitFramebuffer(0, 0, target.size.x, target.size.y, 0, 0, target.size.x, target.size.y,
+                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
     }
   }
 
@@ -430,6 +484,7 @@ class GlPlayerImpl final : public GlPlayer {
   std::vector<PassState> passes_;
   glm::ivec2 size_{0};
   std::vector<std::string> warnings_;
+  std::optional<PassTimers> timers_;
 };
 
 }  // namespace

@@ -19,6 +19,7 @@ enum class Dispatch {
 
 struct PlayerOptions {
   Dispatch dispatch = Dispatch::automatic;
+  bool timers = false;  // measure every pass on the GPU
 };
 
 class GlPlayer : public Player {
@@ -31,6 +32,12 @@ class GlPlayer : public Player {
   // The texture (GL_TEXTURE_2D, RGBA32F) that holds what pass `pass` drew last.
   virtual GLuint texture(int pass) const = 0;
   virtual Context& context() = 0;
+  // Takes over what the passes of the same name and kind hold in `earlier`, so that a changed shader goes on
+  // from there. Both contexts must share their objects.
+  virtual void continue_from(GlPlayer& earlier) = 0;
+  // What each pass took on the GPU when last measured, -1 before; empty without PlayerOptions::timers or
+  // timer queries.
+  virtual std::vector<double> milliseconds() = 0;
   // `file:line: warning: text` lines: passes that could not run as asked for.
   virtual const std::vector<std::string>& warnings() const = 0;
 };

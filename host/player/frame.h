@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <vector>
 
 namespace shadertwin {
 
@@ -20,6 +21,8 @@ struct Frame {
   glm::vec4 mouse_button{0.0F};
   // One byte a key code (the browser's legacy keyCode), 0 or 255. Rows: held, pressed, toggled, released.
   std::array<std::uint8_t, std::size_t{256} * 4> keyboard{};
+  // Values of Project::uniforms, in their order. Empty: those that the project gives.
+  std::vector<std::array<float, 4>> uniforms;
 };
 
 }  // namespace shadertwin

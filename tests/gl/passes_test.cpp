@@ -148,6 +148,28 @@ void mainImage(out vec4 c, in vec2 p) { c = textureLod(iChannel0, vec2(.5), 9.);
   EXPECT_EQ(pixel(images[1]).x, 6);
 }
 
+TEST_P(Passes, TimersMeasureEveryPassWithoutChangingThePicture) {
+  folder.write("a.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(p, iTime, 1); }");
+  const auto shader = folder.write("main.glsl", R"(
+#iChannel0 "a.glsl"
+void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0) * 2.; }
+)");
+  const Project project = load_project(shader);
+  const auto timed = gl::GlPlayer::create(gl::open_context(GetParam().name), project,
+                                          {.dispatch = GetParam().dispatch, .timers = true});
+  FixedClock clock(small(), project.dialect);
+  for (int i = 0; i < 8; ++i) timed->render(clock.next());
+  timed->finish();
+  EXPECT_EQ(timed->read(1).rgba, frames(project, 8, small()).back().rgba);
+  const auto times = timed->milliseconds();
+  if (!timed->context().has_extension("GL_EXT_disjoint_timer_query")) {
+    EXPECT_TRUE(times.empty());
+    return;
+  }
+  ASSERT_EQ(times.size(), 2U);
+  for (const double milliseconds : times) EXPECT_GE(milliseconds, 0.0);
+}
+
 SHADERTWIN_ON_EVERY_DEVICE(Passes);
 
 }  // namespace

@@ -88,6 +88,24 @@ void mainImage(out vec4 c, in vec2 p) { c = p.x < 1. ? vec4(tint, speed) : vec4(
   EXPECT_EQ(pixel(image, 1), glm::vec4(7));
 }
 
+TEST_P(UniformsInShaders, CustomUniformsFollowTheFrame) {
+  const auto shader = folder.write("custom.glsl", R"(
+#iUniform float speed = 2.5
+#iUniform int count = 7
+void mainImage(out vec4 c, in vec2 p) { c = vec4(speed, float(count), 0, 1); }
+)");
+  const Project project = load_project(shader);
+  const auto player = play(project);
+  Frame frame;
+  frame.width = frame.height = 2;
+  frame.uniforms = {{-1.5F}, {3.0F}};
+  player->render(frame);
+  EXPECT_EQ(pixel(player->read(0)), glm::vec4(-1.5F, 3, 0, 1));
+  frame.uniforms.clear();
+  player->render(frame);
+  EXPECT_EQ(pixel(player->read(0)), glm::vec4(2.5F, 7, 0, 1));
+}
+
 TEST_P(UniformsInShaders, DefinesOfTheCommandLineReachEveryPass) {
   folder.write("a.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(KNOB); }");
   const auto shader = folder.write("main.glsl", R"(
