@@ -9,160 +9,158 @@
 
 namespace shadertwin::glsl {
 
+namespace detail {
+
 #ifdef SHADERTWIN_DOUBLE
 
-namespace detail {
-SHADERTWIN_INLINE double sin_of(double x) {
-  return std::sin(x);
-}
-SHADERTWIN_INLINE double cos_of(double x) {
-  return std::cos(x);
-}
-SHADERTWIN_INLINE double tan_of(double x) {
-  return std::tan(x);
-}
-SHADERTWIN_INLINE double asin_of(double x) {
-  return std::asin(x);
-}
-SHADERTWIN_INLINE double acos_of(double x) {
-  return std::acos(x);
-}
-SHADERTWIN_INLINE double atan_of(double x) {
-  return std::atan(x);
-}
-SHADERTWIN_INLINE double atan_of(double y, double x) {
+#define SHADERTWIN_LIBM(name)          \
+  template <class F>                   \
+  SHADERTWIN_INLINE F name##_of(F x) { \
+    return std::name(x);               \
+  }
+SHADERTWIN_LIBM(sin)
+SHADERTWIN_LIBM(cos)
+SHADERTWIN_LIBM(tan)
+SHADERTWIN_LIBM(asin)
+SHADERTWIN_LIBM(acos)
+SHADERTWIN_LIBM(atan)
+SHADERTWIN_LIBM(sinh)
+SHADERTWIN_LIBM(cosh)
+SHADERTWIN_LIBM(tanh)
+SHADERTWIN_LIBM(asinh)
+SHADERTWIN_LIBM(acosh)
+SHADERTWIN_LIBM(atanh)
+#undef SHADERTWIN_LIBM
+template <class F>
+SHADERTWIN_INLINE F atan2_of(F y, F x) {
   return std::atan2(y, x);
 }
-SHADERTWIN_INLINE double sinh_of(double x) {
-  return std::sinh(x);
-}
-SHADERTWIN_INLINE double cosh_of(double x) {
-  return std::cosh(x);
-}
-SHADERTWIN_INLINE double tanh_of(double x) {
-  return std::tanh(x);
-}
-SHADERTWIN_INLINE double asinh_of(double x) {
-  return std::asinh(x);
-}
-SHADERTWIN_INLINE double acosh_of(double x) {
-  return std::acosh(x);
-}
-SHADERTWIN_INLINE double atanh_of(double x) {
-  return std::atanh(x);
-}
-}  // namespace detail
 
 #else
 
-namespace detail {
-
 // Cephes' sinf and cosf: reduction by multiples of pi/4 in three steps, a polynomial for each half octant.
-template <bool cosine>
-inline float sine_or_cosine(float a) {
-  const float magnitude = std::fabs(a);
-  const int octant = static_cast<int>(static_cast<uint>(truncate(magnitude * 1.27323954473516F)) + 1U);
-  const int even_octant = octant & ~1;
-  const float y = static_cast<float>(even_octant);
-  const int quadrant = cosine ? static_cast<int>(static_cast<uint>(even_octant) - 2U) : even_octant;
-  const uint sign = cosine ? (~static_cast<uint>(quadrant) & 4U) << 29
-                           : (bits(a) ^ (static_cast<uint>(octant) << 29)) & 0x80000000U;
+template <bool cosine, class F>
+inline F sine_or_cosine(F a) {
+  const F magnitude = magnitude_of(a);
+  const Unsigned<F> octant = std::bit_cast<Unsigned<F>>(to_int(magnitude * 1.27323954473516F)) + 1U;
+  const Unsigned<F> even_octant = octant & ~1U;
+  const Unsigned<F> quadrant = cosine ? even_octant - 2U : even_octant;
+  const Unsigned<F> sign = cosine ? (~quadrant & 4U) << 29 : (bits(a) ^ (octant << 29)) & 0x80000000U;
 
-  float x = multiply_add(y, -0.78515625F, magnitude);
-  x = multiply_add(y, -2.4187564849853515625e-4F, x);
-  x = multiply_add(y, -3.77489497744594108e-8F, x);
-  const float z = x * x;
+  const F y = to_float(std::bit_cast<Signed<F>>(even_octant));
+  F x = multiply_add(y, constant<F>(-0.78515625F), magnitude);
+  x = multiply_add(y, constant<F>(-2.4187564849853515625e-4F), x);
+  x = multiply_add(y, constant<F>(-3.77489497744594108e-8F), x);
+  const F z = x * x;
 
-  const float c =
-      multiply_add(multiply_add(z, 2.443315711809948e-5F, -1.388731625493765e-3F), z, 4.166664568298827e-2F);
-  const float cosine_part = c * z * z - z * 0.5F + 1.0F;
-  const float s = multiply_add(multiply_add(z, -1.9515295891e-4F, 8.3321608736e-3F), z, -1.6666654611e-1F);
-  const float sine_part = multiply_add(s * z, x, x);
+  F c = multiply_add(z, constant<F>(2.443315711809948e-5F), constant<F>(-1.388731625493765e-3F));
+  c = multiply_add(c, z, constant<F>(4.166664568298827e-2F));
+  const F cosine_part = c * z * z - z * 0.5F + 1.0F;
+  F s = multiply_add(z, constant<F>(-1.9515295891e-4F), constant<F>(8.3321608736e-3F));
+  s = multiply_add(s, z, constant<F>(-1.6666654611e-1F));
+  const F sine_part = multiply_add(s * z, x, x);
 
-  const float part = (quadrant & 2) == 0 ? sine_part : cosine_part;
-  const float result = first_if_greater(first_if_less(from_bits(bits(part) ^ sign), 1.0F), -1.0F);
-  return magnitude < infinity ? result : nan;
+  F result = select((quadrant & 2U) == 0U, sine_part, cosine_part);
+  result = first_if_less(from_bits<F>(bits(result) ^ sign), constant<F>(1.0F));
+  result = first_if_greater(result, constant<F>(-1.0F));
+  return select(magnitude < infinity, result, constant<F>(nan));
 }
 
-SHADERTWIN_INLINE float sin_of(float x) {
-  return sine_or_cosine<false>(x);
+template <class F>
+SHADERTWIN_INLINE F sin_of(F x) {
+  return sine_or_cosine<false, F>(x);
 }
-SHADERTWIN_INLINE float cos_of(float x) {
-  return sine_or_cosine<true>(x);
+template <class F>
+SHADERTWIN_INLINE F cos_of(F x) {
+  return sine_or_cosine<true, F>(x);
 }
-SHADERTWIN_INLINE float tan_of(float x) {
-  return sin_of(x) / cos_of(x);
+template <class F>
+SHADERTWIN_INLINE F tan_of(F x) {
+  return sin_of<F>(x) / cos_of<F>(x);
 }
 
 // 0 for 0 of either sign and for a NaN.
-SHADERTWIN_INLINE float sign_of(float x) {
-  return x > 0.0F ? 1.0F : x < 0.0F ? -1.0F : 0.0F;
+template <class F>
+SHADERTWIN_INLINE F sign_of(F x) {
+  return select(x > 0.0F, constant<F>(1.0F), select(x < 0.0F, constant<F>(-1.0F), constant<F>(0.0F)));
 }
 
-SHADERTWIN_INLINE float asin_with(float x, float p0, float p1) {
-  const float m = std::fabs(x);
-  return sign_of(x) * (half_pi - std::sqrt(1.0F - m) *
-                                     (half_pi + m * ((0.785398163397448309616F - 1.0F) + m * (p0 + m * p1))));
+template <class F>
+SHADERTWIN_INLINE F asin_with(F x, float p0, float p1) {
+  const F m = magnitude_of(x);
+  const F p = half_pi + m * ((0.785398163397448309616F - 1.0F) + m * (p0 + m * p1));
+  return sign_of<F>(x) * (half_pi - root(1.0F - m) * p);
 }
-inline float asin_of(float x) {
-  return asin_with(x, 0.086566724F, -0.03102955F);
+template <class F>
+inline F asin_of(F x) {
+  return asin_with<F>(x, 0.086566724F, -0.03102955F);
 }
-inline float acos_of(float x) {
-  return half_pi - asin_with(x, 0.08132463F, -0.02363318F);
+template <class F>
+inline F acos_of(F x) {
+  return half_pi - asin_with<F>(x, 0.08132463F, -0.02363318F);
 }
 
-inline float atan_of(float y_over_x) {
-  const float m = std::fabs(y_over_x);
-  const float x = (m < 1.0F ? m : 1.0F) / (m > 1.0F ? m : 1.0F);
-  const float x2 = x * x;
-  const float x3 = x2 * x;
-  const float x5 = x3 * x2;
-  const float x7 = x5 * x2;
-  const float x9 = x7 * x2;
-  float angle = x * 0.9999793128310355F + x3 * -0.3326756418091246F + x5 * 0.1938924977115610F +
-                x7 * -0.1173503194786851F + x9 * 0.0536813784310406F + (x9 * -0.0121323213173444F) * x2;
-  if (m > 1.0F) angle = (angle * -2.0F + half_pi) + angle;
-  return angle * sign_of(y_over_x);
+// The last product is associated as Mesa's optimiser does it: nothing else uses x^11.
+template <class F>
+inline F atan_of(F y_over_x) {
+  const F m = magnitude_of(y_over_x);
+  const F one = constant<F>(1.0F);
+  const F x = first_if_less(m, one) / first_if_greater(m, one);
+  const F x2 = x * x;
+  const F x3 = x2 * x;
+  const F x5 = x3 * x2;
+  const F x7 = x5 * x2;
+  const F x9 = x7 * x2;
+  const F angle = x * 0.9999793128310355F + x3 * -0.3326756418091246F + x5 * 0.1938924977115610F +
+                  x7 * -0.1173503194786851F + x9 * 0.0536813784310406F + (x9 * -0.0121323213173444F) * x2;
+  return select(m > 1.0F, (angle * -2.0F + half_pi) + angle, angle) * sign_of<F>(y_over_x);
 }
 
 // The left half-plane is turned by pi/2, so that no division by zero lies along x = 0.
-inline float atan_of(float y, float x) {
-  const bool flip = 0.0F >= x;
-  const float s = flip ? std::fabs(x) : y;
-  const float t = flip ? y : std::fabs(x);
-  const float scale = std::fabs(t) >= 1e18F ? 0.25F : 1.0F;
-  const float reciprocal = 1.0F / (t * scale);
-  const float s_over_t = (s * scale) * reciprocal;
-  const float tangent = std::fabs(x) == std::fabs(y) ? 1.0F : std::fabs(s_over_t);
-  const float arc = (flip ? half_pi : 0.0F) + atan_of(tangent);
-  return y < 0.0F || reciprocal < 0.0F ? -arc : arc;
+template <class F>
+inline F atan2_of(F y, F x) {
+  const auto flip = x <= 0.0F;
+  const F s = select(flip, magnitude_of(x), y);
+  const F t = select(flip, y, magnitude_of(x));
+  const F scale = select(magnitude_of(t) >= 1e18F, constant<F>(0.25F), constant<F>(1.0F));
+  const F reciprocal = 1.0F / (t * scale);
+  const F s_over_t = (s * scale) * reciprocal;
+  const F tangent = select(magnitude_of(x) == magnitude_of(y), constant<F>(1.0F), magnitude_of(s_over_t));
+  const F arc = select(flip, constant<F>(half_pi), constant<F>(0.0F)) + atan_of<F>(tangent);
+  return select((y < 0.0F) | (reciprocal < 0.0F), negated(arc), arc);
 }
 
-inline float sinh_of(float x) {
-  return 0.5F * (exp_of(x) - exp_of(-x));
+template <class F>
+inline F sinh_of(F x) {
+  return 0.5F * (exp_of<F>(x) - exp_of<F>(negated(x)));
 }
-inline float cosh_of(float x) {
-  return 0.5F * (exp_of(x) + exp_of(-x));
+template <class F>
+inline F cosh_of(F x) {
+  return 0.5F * (exp_of<F>(x) + exp_of<F>(negated(x)));
 }
-inline float tanh_of(float x) {
-  const float t = first_if_less(first_if_greater(x, -10.0F), 10.0F);
-  const float up = exp_of(t);
-  const float down = exp_of(-t);
+template <class F>
+inline F tanh_of(F x) {
+  const F t = first_if_less(first_if_greater(x, constant<F>(-10.0F)), constant<F>(10.0F));
+  const F up = exp_of<F>(t);
+  const F down = exp_of<F>(negated(t));
   return (up - down) / (up + down);
 }
-inline float asinh_of(float x) {
-  return sign_of(x) * log_of(std::fabs(x) + std::sqrt(x * x + 1.0F));
+template <class F>
+inline F asinh_of(F x) {
+  return sign_of<F>(x) * log_of<F>(magnitude_of(x) + root(x * x + 1.0F));
 }
-inline float acosh_of(float x) {
-  return log_of(x + std::sqrt(x * x - 1.0F));
+template <class F>
+inline F acosh_of(F x) {
+  return log_of<F>(x + root(x * x - 1.0F));
 }
-inline float atanh_of(float x) {
-  return 0.5F * log_of((1.0F + x) / (1.0F - x));
+template <class F>
+inline F atanh_of(F x) {
+  return 0.5F * log_of<F>((1.0F + x) / (1.0F - x));
 }
-
-}  // namespace detail
 
 #endif
+
+}  // namespace detail
 
 SHADERTWIN_INLINE Float radians(Float degrees) {
   return degrees * Float(0.017453292519943295769);
@@ -171,63 +169,63 @@ SHADERTWIN_INLINE Float degrees(Float radians) {
   return radians * Float(57.295779513082320877);
 }
 SHADERTWIN_INLINE Float sin(Float x) {
-  return detail::sin_of(x);
+  return SHADERTWIN_APPLY_1(Float, sin_of, x);
 }
 SHADERTWIN_INLINE Float cos(Float x) {
-  return detail::cos_of(x);
+  return SHADERTWIN_APPLY_1(Float, cos_of, x);
 }
 SHADERTWIN_INLINE Float tan(Float x) {
-  return detail::tan_of(x);
+  return SHADERTWIN_APPLY_1(Float, tan_of, x);
 }
 SHADERTWIN_INLINE Float asin(Float x) {
   SHADERTWIN_PROBE(x < -1 || x > 1, asin_beyond_one);
-  return detail::asin_of(x);
+  return SHADERTWIN_APPLY_1(Float, asin_of, x);
 }
 SHADERTWIN_INLINE Float acos(Float x) {
   SHADERTWIN_PROBE(x < -1 || x > 1, acos_beyond_one);
-  return detail::acos_of(x);
+  return SHADERTWIN_APPLY_1(Float, acos_of, x);
 }
 SHADERTWIN_INLINE Float atan(Float y_over_x) {
-  return detail::atan_of(y_over_x);
+  return SHADERTWIN_APPLY_1(Float, atan_of, y_over_x);
 }
 SHADERTWIN_INLINE Float atan(Float y, Float x) {
   SHADERTWIN_PROBE(x == 0 && y == 0, atan_of_zeros);
-  return detail::atan_of(y, x);
+  return SHADERTWIN_APPLY_2(Float, atan2_of, y, x);
 }
 SHADERTWIN_INLINE Float sinh(Float x) {
-  return detail::sinh_of(x);
+  return SHADERTWIN_APPLY_1(Float, sinh_of, x);
 }
 SHADERTWIN_INLINE Float cosh(Float x) {
-  return detail::cosh_of(x);
+  return SHADERTWIN_APPLY_1(Float, cosh_of, x);
 }
 SHADERTWIN_INLINE Float tanh(Float x) {
-  return detail::tanh_of(x);
+  return SHADERTWIN_APPLY_1(Float, tanh_of, x);
 }
 SHADERTWIN_INLINE Float asinh(Float x) {
-  return detail::asinh_of(x);
+  return SHADERTWIN_APPLY_1(Float, asinh_of, x);
 }
 SHADERTWIN_INLINE Float acosh(Float x) {
   SHADERTWIN_PROBE(x < 1, acosh_below_one);
-  return detail::acosh_of(x);
+  return SHADERTWIN_APPLY_1(Float, acosh_of, x);
 }
 SHADERTWIN_INLINE Float atanh(Float x) {
   SHADERTWIN_PROBE(x <= -1 || x >= 1, atanh_beyond_one);
-  return detail::atanh_of(x);
+  return SHADERTWIN_APPLY_1(Float, atanh_of, x);
 }
 SHADERTWIN_MAP_1(radians, vec, vec)
 SHADERTWIN_MAP_1(degrees, vec, vec)
-SHADERTWIN_MAP_1(sin, vec, vec)
-SHADERTWIN_MAP_1(cos, vec, vec)
-SHADERTWIN_MAP_1(tan, vec, vec)
-SHADERTWIN_MAP_1(asin, vec, vec)
-SHADERTWIN_MAP_1(acos, vec, vec)
-SHADERTWIN_MAP_1(atan, vec, vec)
-SHADERTWIN_MAP_2(atan, vec, vec, vec)
-SHADERTWIN_MAP_1(sinh, vec, vec)
-SHADERTWIN_MAP_1(cosh, vec, vec)
-SHADERTWIN_MAP_1(tanh, vec, vec)
-SHADERTWIN_MAP_1(asinh, vec, vec)
-SHADERTWIN_MAP_1(acosh, vec, vec)
-SHADERTWIN_MAP_1(atanh, vec, vec)
+SHADERTWIN_SPREAD_1(sin, sin_of)
+SHADERTWIN_SPREAD_1(cos, cos_of)
+SHADERTWIN_SPREAD_1(tan, tan_of)
+SHADERTWIN_SPREAD_1(asin, asin_of)
+SHADERTWIN_SPREAD_1(acos, acos_of)
+SHADERTWIN_SPREAD_1(atan, atan_of)
+SHADERTWIN_SPREAD_2(atan, atan2_of)
+SHADERTWIN_SPREAD_1(sinh, sinh_of)
+SHADERTWIN_SPREAD_1(cosh, cosh_of)
+SHADERTWIN_SPREAD_1(tanh, tanh_of)
+SHADERTWIN_SPREAD_1(asinh, asinh_of)
+SHADERTWIN_SPREAD_1(acosh, acosh_of)
+SHADERTWIN_SPREAD_1(atanh, atanh_of)
 
 }  // namespace shadertwin::glsl

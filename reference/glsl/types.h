@@ -30,6 +30,12 @@
 #include <immintrin.h>
 #endif
 
+#ifdef __has_feature
+#if __has_feature(memory_sanitizer)
+#define SHADERTWIN_MEMORY_SANITIZER
+#endif
+#endif
+
 // Small enough that a call would cost more than the work.
 #define SHADERTWIN_INLINE [[gnu::always_inline]] inline
 
@@ -158,12 +164,20 @@ SHADERTWIN_INLINE Swizzle<glm::vec<N, T>, I...> swizzle(glm::vec<N, T>& v) {
 namespace detail {
 
 #if defined(__SSE2__)
-// The register that x is in; what stands beside x is not defined. _mm_set_ss would spend an instruction on
-// it.
+// The register that x is in; what stands beside x is not defined, since _mm_set_ss would spend an instruction
+// on it.
 SHADERTWIN_INLINE __m128 lane(float x) {
+#ifdef SHADERTWIN_MEMORY_SANITIZER
+  return _mm_set1_ps(x);
+#elif defined(__clang__)
+  __m128 vector = _mm_undefined_ps();
+  vector[0] = x;
+  return vector;
+#else
   __m128 vector;
   asm("" : "=x"(vector) : "0"(x));
   return vector;
+#endif
 }
 #endif
 
