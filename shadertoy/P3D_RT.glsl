@@ -7,6 +7,11 @@
 #iChannel0::MinFilter "Nearest"
 #iChannel0::MagFilter "Nearest"
 #iChannel0::WrapMode "Clamp"
+#iChannel1 "cubemaps/forest_{}.jpg"
+#iChannel1::Type "CubeMap"
+#iChannel2 "cubemaps/city_{}.jpg"
+#iChannel2::Type "CubeMap"
+#iChannel3 "camera.glsl"
 #include "scenes/select.glsl"
 #include "common.glsl"
 #include "scenes/select.glsl"
@@ -47,6 +52,19 @@
 #define LIGHT_MODEL 0
 #endif
 
+// Quad lights. 0: sampling the light and the surface, weighed by the power heuristic, good for small and large lights
+// alike. 1: by the balance heuristic. 2: the light only: noise without bound beside a large light. 3: the surface only:
+// no shadow rays; noisy for every light that isn't large.
+#ifndef LIGHT_STRATEGY
+#define LIGHT_STRATEGY 0
+#endif
+
+// What surrounds the scene; the scene's own choice unless set. 0: gradient. 1: forest (iChannel1). 2: city (iChannel2).
+// 3: black. 4: white, radiance 1: whatever keeps all light becomes invisible in it.
+#ifndef BACKGROUND
+#define BACKGROUND SCENE_BACKGROUND
+#endif
+
 // The mean is kept in 0: linear light. 1: gamma space, as in the report's assignment: noise turns into a bias.
 #ifndef ACCUMULATION
 #define ACCUMULATION 0
@@ -67,6 +85,12 @@
 #if LIGHT_MODEL < 0 || LIGHT_MODEL > 1
 #error LIGHT_MODEL is 0 (radiometric) or 1 (the report)
 #endif
+#if LIGHT_STRATEGY < 0 || LIGHT_STRATEGY > 3
+#error LIGHT_STRATEGY is 0 (power), 1 (balance), 2 (light) or 3 (surface)
+#endif
+#if BACKGROUND < 0 || BACKGROUND > 4
+#error BACKGROUND is 0 (gradient), 1 (forest), 2 (city), 3 (black) or 4 (white)
+#endif
 #if ACCUMULATION < 0 || ACCUMULATION > 1
 #error ACCUMULATION is 0 (linear) or 1 (gamma)
 #endif
@@ -75,15 +99,89 @@
 // World
 //-------------------------------------------------------------------------------
 
-// The nearest hit with tmin < t < tmax. rec stays as it was when there is none.
-bool hit_world(Ray r, float tmin, float tmax, inout HitRecord rec)
-{
-    return hit_scene(r, tmin, tmax, rec);
-}
+// A general build must not know how much there is of anything.
+#ifdef GENERAL
+#define COUNT(n) ((n) + min(iFrame, 0))
+#else
+#define COUNT(n) (n)
+#endif
 
 HitRecord noHit()
 {
-    return HitRecord(vec3(0.0), vec3(0.0, 1.0, 0.0), FAR, createDiffuseMaterial(vec3(0.0)));
+    return HitRecord(vec3(0.0), vec3(0.0, 1.0, 0.0), FAR, createDiffuseMaterial(vec3(0.0)), -1);
+}
+
+#if defined(HAS_POINT_LIGHTS) && POINT_LIGHTS == 0
+PointLight scene_pointLight(int i)
+{
+    return createPointLight(vec3(0.0), vec3(0.0), 0.0);
+}
+#endif
+
+Quad scene_quad(int i)
+{
+    return createQuad(QUAD[3 * i], QUAD[3 * i + 1], QUAD[3 * i + 2]);
+}
+
+// The nearest hit with tmin < t < tmax. rec stays as it was when there is none. Primitives are numbered: quads (lights
+// last), spheres, then those of the scene's own structure.
+bool hit_world(Ray r, float tmin, float tmax, inout HitRecord rec)
+{
+    int nearest = -1;
+    float t = tmax;
+    for (int i = 0; i < COUNT(QUADS); i++) {
+        if (hit_quad(scene_quad(i), r, tmin, t, rec)) {
+            nearest = i;
+            t = rec.t;
+        }
+    }
+
+    // Roots first: position and normal are only worked out for the nearest.
+    int sphere = -1;
+    for (int i = 0; i < COUNT(SPHERES); i++) {
+        vec4 s = OPAQUE(SPHERE[i]);
+        float ti = sphereRoot(r.o - s.xyz, r.d, s.w, tmin, t);
+        if (ti < t) {
+            t = ti;
+            sphere = i;
+        }
+    }
+    if (sphere >= 0) {
+        vec4 s = SPHERE[sphere];
+        hit_sphere(createSphere(s.xyz, s.w), r, tmin, tmax, rec);
+        nearest = QUADS + sphere;
+    }
+
+#ifdef HAS_SMALL_SPHERES
+    int cell = nearestSmallSphere(r, tmin, t);
+    if (cell >= 0) {
+        hit_movingSphere(smallSphere(cell), r, tmin, tmax, rec);
+        nearest = QUADS + SPHERES + cell;
+    }
+#endif
+
+    if (nearest < 0) {
+        return false;
+    }
+    rec.material = scene_material(nearest, rec.pos);
+    rec.light = nearest < QUADS ? nearest - (QUADS - QUAD_LIGHTS) : -1;
+    return true;
+}
+
+vec3 background(vec3 d)
+{
+#if BACKGROUND == 0
+    // The report's gradient runs on above the horizon: its parameter reaches 1.6 at the zenith.
+    return mix(vec3(1.0), vec3(0.5, 0.7, 1.0), 0.8 * (d.y + 1.0));
+#elif BACKGROUND == 1
+    return toLinear(textureLod(iChannel1, d, 0.0).rgb);
+#elif BACKGROUND == 2
+    return toLinear(textureLod(iChannel2, d, 0.0).rgb);
+#elif BACKGROUND == 3
+    return vec3(0.0);
+#else
+    return vec3(1.0);
+#endif
 }
 
 // True when nothing stands on the segment between p and q. Both ends are moved off their surfaces; a point without a
@@ -104,6 +202,37 @@ bool visible(vec3 p, vec3 pNormal, vec3 q, vec3 qNormal, float time)
 // Direct light
 //-------------------------------------------------------------------------------
 
+#if LIGHT_STRATEGY == 3 && LIGHT_MODEL == 0
+#define SAMPLES_LIGHT 0
+#else
+#define SAMPLES_LIGHT 1
+#endif
+
+// Share of a light sample, and of a surface sample that found a light, in the estimate.
+float lightWeight(float pdfLight, float pdfSurface)
+{
+#if LIGHT_STRATEGY == 0
+    return powerHeuristic(pdfLight, pdfSurface);
+#elif LIGHT_STRATEGY == 1
+    return balanceHeuristic(pdfLight, pdfSurface);
+#else
+    return 1.0;
+#endif
+}
+
+float surfaceWeight(float pdfSurface, float pdfLight)
+{
+#if LIGHT_MODEL == 1 || LIGHT_STRATEGY == 2
+    return 0.0;
+#elif LIGHT_STRATEGY == 0
+    return powerHeuristic(pdfSurface, pdfLight);
+#elif LIGHT_STRATEGY == 1
+    return balanceHeuristic(pdfSurface, pdfLight);
+#else
+    return 1.0;
+#endif
+}
+
 // The report's shading: Lambert without pi, and Blinn-Phong with a shininess of 8 / r^4 - 2 (0 from r = 1.41 on).
 // l and v point away from the surface.
 vec3 blinnPhong(Material m, vec3 n, vec3 l, vec3 v)
@@ -121,35 +250,88 @@ vec3 directlighting(PointLight pl, Ray r, HitRecord rec)
 {
     vec3 n = dot(r.d, rec.normal) > 0.0 ? -rec.normal : rec.normal;
     vec3 toLight = pl.pos - rec.pos;
-    float distance2 = dot(toLight, toLight);
-    vec3 l = toLight * inversesqrt(distance2);
+    float distance2 = max(dot(toLight, toLight), 1.0e-12);
+    vec3 l = directionOr(toLight, n);
     float NoL = dot(n, l);
     if (!(NoL > 0.0) || !visible(rec.pos, rec.normal, pl.pos, vec3(0.0), r.time)) {
         return vec3(0.0);
     }
 #if LIGHT_MODEL == 0
-    return evaluateBsdf(rec.material, n, -r.d, l) * pl.color * (pl.intensity / distance2);
+    float pdf = 0.0;
+    vec3 f = evaluateBsdf(rec.material, n, -r.d, l, pdf);
+    return f * ((pl.intensity / distance2) * pl.color);
 #else
     return NoL * (blinnPhong(rec.material, n, l, -r.d) * pl.color);
 #endif
 }
 #endif
 
-// All direct light at a hit.
+#ifdef HAS_QUAD_LIGHTS
+QuadLight scene_quadLight(int i)
+{
+    int quad = QUADS - QUAD_LIGHTS + i;
+    return createQuadLight(scene_quad(quad), scene_material(quad, vec3(0.0)).emissive);
+}
+
+// The same for a point of a quad light, chosen by xi: a soft shadow in the mean.
+vec3 directlighting(QuadLight ql, Ray r, HitRecord rec, vec2 xi)
+{
+    vec3 n = dot(r.d, rec.normal) > 0.0 ? -rec.normal : rec.normal;
+    vec3 target = sampleQuadLight(ql, xi);
+    vec3 toLight = target - rec.pos;
+    float pdf = pdfQuadLight(ql, toLight);
+    vec3 l = directionOr(toLight, n);
+    float NoL = dot(n, l);
+    if (!(NoL > 0.0 && pdf > 0.0) || !visible(rec.pos, rec.normal, target, ql.normal, r.time)) {
+        return vec3(0.0);
+    }
+    vec3 radiance = ql.color / pdf;
+#if LIGHT_MODEL == 0
+    float pdfSurface = 0.0;
+    vec3 f = evaluateBsdf(rec.material, n, -r.d, l, pdfSurface);
+    return lightWeight(pdf, pdfSurface) * (f * radiance);
+#else
+    return (NoL * INV_PI) * (blinnPhong(rec.material, n, l, -r.d) * radiance);
+#endif
+}
+#endif
+
+// All direct light at a hit. xi: a point of each quad light, and which point light.
 vec3 directlightingAll(Ray r, HitRecord rec, vec3 xi)
 {
     vec3 sum = vec3(0.0);
-#ifdef HAS_POINT_LIGHTS
-#if POINT_LIGHT_PICK == 0
-    for (int i = 0; i < POINT_LIGHTS; i++) {
+#if defined(HAS_POINT_LIGHTS) && POINT_LIGHT_PICK == 0
+    for (int i = 0; i < COUNT(POINT_LIGHTS); i++) {
         sum += directlighting(scene_pointLight(i), r, rec);
     }
-#else
-    int picked = min(int(xi.z * float(POINT_LIGHTS)), POINT_LIGHTS - 1);
-    sum += float(POINT_LIGHTS) * directlighting(scene_pointLight(picked), r, rec);
+#elif defined(HAS_POINT_LIGHTS)
+    if (COUNT(POINT_LIGHTS) > 0) {
+        int picked = min(int(xi.z * float(POINT_LIGHTS)), POINT_LIGHTS - 1);
+        sum += float(POINT_LIGHTS) * directlighting(scene_pointLight(picked), r, rec);
+    }
 #endif
+#if defined(HAS_QUAD_LIGHTS) && SAMPLES_LIGHT
+    for (int i = 0; i < COUNT(QUAD_LIGHTS); i++) {
+        sum += directlighting(scene_quadLight(i), r, rec, xi.xy);
+    }
 #endif
     return sum;
+}
+
+// What a surface that was hit adds by shining. pdf is the density with which the last surface chose this direction, 0
+// where it has none or there was no surface: then no light sample could have found it.
+vec3 emission(Ray r, HitRecord rec, float pdf)
+{
+    if (!(dot(r.d, rec.normal) < 0.0)) {
+        return vec3(0.0);
+    }
+    float weight = 1.0;
+#ifdef HAS_QUAD_LIGHTS
+    if (rec.light >= 0 && pdf > 0.0) {
+        weight = surfaceWeight(pdf, pdfQuadLight(scene_quadLight(rec.light), rec.pos - r.from));
+    }
+#endif
+    return weight * rec.material.emissive;
 }
 
 //-------------------------------------------------------------------------------
@@ -161,25 +343,25 @@ vec3 rayColor(Ray r, uvec3 stream)
 {
     vec3 col = vec3(0.0);
     vec3 throughput = vec3(1.0);
+    float pdf = 0.0;
     Ray ray = r;
     for (int bounce = 0; bounce < MAX_BOUNCES; bounce++) {
         HitRecord rec = noHit();
         if (!hit_world(ray, T_MIN, FAR, rec)) {
-            col += throughput * scene_background(ray.d);
+            col += throughput * background(ray.d);
             break;
         }
-        col += throughput * rec.material.emissive;
+        col += throughput * emission(ray, rec, pdf);
 
         uint dimension = DIMENSION_BOUNCE + BOUNCE_DIMENSIONS * uint(bounce);
         vec4 xi = random4(stream, dimension);
         vec4 xiLight = random4(stream, dimension + 1u);
-        if (sampleableByLights(rec.material)) {
+        if (isSampleable(rec.material)) {
             col += throughput * directlightingAll(ray, rec, xiLight.xyz);
         }
 
         vec3 attenuation = vec3(0.0);
         Ray scattered = ray;
-        float pdf = 0.0;
         if (!scatter(ray, rec, vec4(xi.xyz, xiLight.w), attenuation, scattered, pdf)) {
             break;
         }
@@ -223,9 +405,20 @@ vec4 accumulate(vec4 mean, vec3 color)
 void mainImage(out vec4 fragColor, in vec2 fragCoord)
 {
     uvec2 pixel = uvec2(fragCoord);
-    vec4 mean = iFrame == 0 ? vec4(0.0) : texelFetch(iChannel0, ivec2(pixel), 0);
-    Camera cam = createCamera(CAMERA_EYE, CAMERA_AT, vec3(0.0, 1.0, 0.0), CAMERA_FOVY, iResolution.x / iResolution.y,
-                              CAMERA_APERTURE, CAMERA_FOCUS, 0.0, 1.0);
+    // Buffer B's state; when it isn't there, or was kept for a picture of another size, the scene's own view.
+    vec4 orbit = texelFetch(iChannel3, ivec2(0, 0), 0);
+    bool steered = texelFetch(iChannel3, ivec2(2, 0), 0).xy == iResolution.xy;
+    bool restart = iFrame == 0 || (steered && orbit.w > 0.0);
+    orbit = steered ? orbit : CAMERA_ORBIT;
+    vec4 mean = restart ? vec4(0.0) : texelFetch(iChannel0, ivec2(pixel), 0);
+
+    vec3 eye = vec3(0.0);
+    vec3 forward = vec3(0.0);
+    vec3 up = vec3(0.0);
+    vec3 right = vec3(0.0);
+    GetCameraVectors(orbit.xyz, CAMERA_AT, eye, forward, up, right);
+    Camera cam = createCamera(eye, CAMERA_AT, up, CAMERA_FOVY, iResolution.x / iResolution.y, CAMERA_APERTURE,
+                              CAMERA_FOCUS, 0.0, 1.0);
     for (int i = 0; i < SAMPLES_PER_FRAME; i++) {
         uvec3 stream = uvec3(pixel, uint(iFrame * SAMPLES_PER_FRAME + i));
         vec4 xi = random4(stream, DIMENSION_LENS);

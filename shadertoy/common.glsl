@@ -32,11 +32,37 @@
 #define SPHERE_ROOT 0
 #endif
 
-// Random numbers. 0: PCG4D keyed by pixel, sample and dimension. 1: the same, read as 16-bit fractions: a slightly
-// cheaper conversion and 65,536 levels. 2: float seed that grows by 0.1 a draw and is hashed, as in the report's
-// assignment, but keyed by the sample number and never by the time.
+// Random numbers. 0: PCG4D keyed by pixel, sample and dimension. 1: pairs of Owen-scrambled Sobol points: noise falls
+// faster than with independent numbers where the picture is smooth; about ten times the integer work. 2: a float seed
+// that grows by 0.1 a draw and is hashed, as in the report's assignment, but from the sample number, never the time.
 #ifndef RANDOM_NUMBERS
 #define RANDOM_NUMBERS 0
+#endif
+
+// Microfacets that are hidden. 0: height-correlated Smith. 1: separable Smith, 1 to 3 % darker when rough. 2: the
+// report's equations 7 and 8, Schlick's fit with k = alpha / 2: a division instead of two square roots, 5 to 8 % darker.
+#ifndef MASKING
+#define MASKING 0
+#endif
+
+// How a direction is drawn on a rough metal or plastic. 0: a visible normal. 1: any normal: simpler, a third of the
+// samples lost below the surface at grazing angles, weights without bound. 2: the report's, a mirror direction plus
+// roughness times a ball: no density, so no light is sampled, and the lobe isn't GGX.
+#ifndef SPECULAR_SAMPLING
+#define SPECULAR_SAMPLING 0
+#endif
+
+// Light that single scattering between microfacets loses on metals (59 % at roughness 1). 0: lost, as in the report.
+// 1: given back by scaling the lobe (Turquin): four table reads; not reciprocal.
+#ifndef ENERGY_COMPENSATION
+#define ENERGY_COMPENSATION 1
+#endif
+
+// Under the gloss of plastic. 0: what the gloss lets in and out, by table: all light is kept and none is made. 1: the
+// same with Fresnel factors of both directions: no table, up to a tenth darker. 2: all of the albedo, as the report's
+// equation 4: up to 1.6 times the light that came in.
+#ifndef PLASTIC_DIFFUSE
+#define PLASTIC_DIFFUSE 0
 #endif
 
 // The report's own scatter weights. 0: physical. 1: diffuse attenuation albedo * cos (equation 3), a third too dark.
@@ -54,7 +80,19 @@
 #error SPHERE_ROOT is 0 (closest approach) or 1 (textbook)
 #endif
 #if RANDOM_NUMBERS < 0 || RANDOM_NUMBERS > 2
-#error RANDOM_NUMBERS is 0 (PCG4D), 1 (PCG4D of 16 bits) or 2 (float seed)
+#error RANDOM_NUMBERS is 0 (PCG4D), 1 (Sobol) or 2 (float seed)
+#endif
+#if MASKING < 0 || MASKING > 2
+#error MASKING is 0 (height-correlated Smith), 1 (separable Smith) or 2 (Schlick)
+#endif
+#if SPECULAR_SAMPLING < 0 || SPECULAR_SAMPLING > 2
+#error SPECULAR_SAMPLING is 0 (visible normals), 1 (normals) or 2 (the report)
+#endif
+#if ENERGY_COMPENSATION < 0 || ENERGY_COMPENSATION > 1
+#error ENERGY_COMPENSATION is 0 (none) or 1 (Turquin)
+#endif
+#if PLASTIC_DIFFUSE < 0 || PLASTIC_DIFFUSE > 2
+#error PLASTIC_DIFFUSE is 0 (table), 1 (Fresnel) or 2 (the report)
 #endif
 #if SEED_ATTENUATION < 0 || SEED_ATTENUATION > 1
 #error SEED_ATTENUATION is 0 (physical) or 1 (the report)
@@ -69,7 +107,10 @@
 #define HAS_MOTION
 #define HAS_METAL
 #define HAS_DIELECTRIC
+#define HAS_CONDUCTOR
+#define HAS_PLASTIC
 #define HAS_POINT_LIGHTS
+#define HAS_QUAD_LIGHTS
 #endif
 
 //-------------------------------------------------------------------------------
@@ -211,6 +252,43 @@ uint hash32(uint key)
     return h;
 }
 
+uint reverseBits(uint v)
+{
+    uint x = v;
+    x = ((x >> 1u) & 0x55555555u) | ((x & 0x55555555u) << 1u);
+    x = ((x >> 2u) & 0x33333333u) | ((x & 0x33333333u) << 2u);
+    x = ((x >> 4u) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4u);
+    x = ((x >> 8u) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8u);
+    return (x >> 16u) | (x << 16u);
+}
+
+// Owen scrambling of a bit-reversed number by Laine and Karras' hash, in which bits only act on higher ones (constants:
+// Burley 2020).
+uint laineKarras(uint x, uint seed)
+{
+    uint h = x + seed;
+    h ^= h * 0x6c50b47cu;
+    h ^= h * 0xb82f1e52u;
+    h ^= h * 0xc7afe638u;
+    h ^= h * 0x8d22f6e6u;
+    return h;
+}
+
+// Burley 2020, "Practical Hash-based Owen Scrambling" (JCGT 9(4)): one of the first two Sobol dimensions each, the
+// order of the points shuffled by one seed and their digits scrambled by two more.
+uvec2 sobolOwen(uint index, uint shuffle, uint scramble)
+{
+    uint i = reverseBits(laineKarras(reverseBits(index), shuffle));
+    // The second dimension's matrix is Pascal's triangle modulo 2: a product of five butterflies.
+    uint pascal = i;
+    pascal ^= (pascal >> 1u) & 0x55555555u;
+    pascal ^= (pascal >> 2u) & 0x33333333u;
+    pascal ^= (pascal >> 4u) & 0x0f0f0f0fu;
+    pascal ^= (pascal >> 8u) & 0x00ff00ffu;
+    pascal ^= (pascal >> 16u) & 0x0000ffffu;
+    return uvec2(reverseBits(laineKarras(i, scramble)), reverseBits(laineKarras(pascal, hash32(scramble))));
+}
+
 // Four uniform numbers in [0, 1). `stream` is (pixel x, pixel y, sample); `dimension` says what they are for, so that
 // no number is ever used twice, whatever path came before. 24 bits: the largest is 1 - 2^-24.
 vec4 random4(uvec3 stream, uint dimension)
@@ -218,7 +296,10 @@ vec4 random4(uvec3 stream, uint dimension)
 #if RANDOM_NUMBERS == 0
     return vec4(pcg4d(uvec4(stream, dimension)) >> 8u) * 5.96046448e-8;
 #elif RANDOM_NUMBERS == 1
-    return vec4(pcg4d(uvec4(stream, dimension)) >> 16u) * 1.52587891e-5;
+    uvec4 seeds = pcg4d(uvec4(stream.xy, 0u, dimension));
+    uvec2 first = sobolOwen(stream.z, seeds.x, seeds.y);
+    uvec2 second = sobolOwen(stream.z, seeds.z, seeds.w);
+    return vec4(uvec4(first, second) >> 8u) * 5.96046448e-8;
 #else
     float seed = float(hash32(stream.x + hash32(stream.y + hash32(stream.z))) >> 8u) * 5.96046448e-8;
     vec4 seeds = vec4(0.1, 0.2, 0.3, 0.4) + (seed + 0.4 * float(dimension));
@@ -375,6 +456,24 @@ Camera createCamera(vec3 eye, vec3 at, vec3 worldUp, float fovy, float aspect, f
     return Camera(eye, u, v, n, vec2(aspect * height, height), planeDist, 0.5 * aperture, focusDist, time0, time1);
 }
 
+// Orbit around `at`: azimuth in turns from +z towards +x, elevation in turns from straight below, and distance.
+// Elevation must keep off 0 and 1/2, where up is undefined.
+void GetCameraVectors(vec3 orbit, vec3 at, out vec3 cameraPos, out vec3 cameraFwd, out vec3 cameraUp,
+                      out vec3 cameraRight)
+{
+    vec2 azimuth = sinCosTurn(fract(orbit.x));
+    vec2 elevation = sinCosTurn(orbit.y);
+    vec3 back = vec3(azimuth.x * elevation.x, -elevation.y, azimuth.y * elevation.x);
+    cameraPos = at + orbit.z * back;
+    cameraFwd = -back;
+    cameraRight = vec3(azimuth.y, 0.0, -azimuth.x);
+    cameraUp = cross(back, cameraRight);
+}
+
+// The scene's own view, as GetCameraVectors takes it.
+#define CAMERA_ORBIT \
+    vec4(CAMERA_AZIMUTH / 360.0, (90.0 + CAMERA_ELEVATION) / 360.0, CAMERA_DISTANCE, 0.0)
+
 // Thin lens. pixel_sample is in [0, 1] x [0, 1] over the picture, xi is (lens, lens, shutter time).
 Ray getRay(Camera cam, vec2 pixel_sample, vec3 xi)
 {
@@ -398,33 +497,55 @@ Ray getRay(Camera cam, vec2 pixel_sample, vec3 xi)
 //-------------------------------------------------------------------------------
 
 #define DIFFUSE 0
-#define METAL 1
-#define DIELECTRIC 2
+#define METAL 1       // mirror, made fuzzy by roughness
+#define DIELECTRIC 2  // clear or coloured glass, made fuzzy by roughness
+#define CONDUCTOR 3   // metal of GGX microfacets
+#define PLASTIC 4     // diffuse under a gloss of GGX microfacets of index 1.5
 
 struct Material {
     int type;
-    vec3 albedo;        // diffuse
-    vec3 specColor;     // reflectance of metal
-    vec3 emissive;      // radiance
-    float roughness;    // [0, 1]
-    float refIdx;
+    vec3 albedo;        // diffuse reflectance
+    vec3 specColor;     // reflectance at normal incidence
+    vec3 edgeColor;     // tint towards grazing incidence (Gulbrandsen's g)
+    vec3 emissive;      // radiance, from the side that the normal is on
+    float roughness;    // [0, 1]; GGX alpha is its square
+    float refIdx;       // [0.2, 5]
     vec3 refractColor;  // absorption per unit length, >= 0
 };
 
+// Arguments outside their range are clamped into it.
 Material createDiffuseMaterial(vec3 albedo)
 {
-    return Material(DIFFUSE, albedo, vec3(0.0), vec3(0.0), 1.0, 1.0, vec3(0.0));
+    return Material(DIFFUSE, clamp(albedo, 0.0, 1.0), vec3(0.0), vec3(1.0), vec3(0.0), 1.0, 1.0, vec3(0.0));
+}
+
+Material createLightMaterial(vec3 emissive)
+{
+    return Material(DIFFUSE, vec3(0.0), vec3(0.0), vec3(1.0), max(emissive, 0.0), 1.0, 1.0, vec3(0.0));
 }
 
 Material createMetalMaterial(vec3 specColor, float roughness)
 {
-    return Material(METAL, vec3(0.0), specColor, vec3(0.0), clamp(roughness, 0.0, 1.0), 1.0, vec3(0.0));
+    return Material(METAL, vec3(0.0), clamp(specColor, 0.0, 1.0), vec3(1.0), vec3(0.0), clamp(roughness, 0.0, 1.0), 1.0,
+                    vec3(0.0));
 }
 
 Material createDielectricMaterial(vec3 refractColor, float refIdx, float roughness)
 {
-    return Material(DIELECTRIC, vec3(0.0), vec3(1.0), vec3(0.0), clamp(roughness, 0.0, 1.0), clamp(refIdx, 0.2, 5.0),
-                    max(refractColor, vec3(0.0)));
+    return Material(DIELECTRIC, vec3(0.0), vec3(1.0), vec3(1.0), vec3(0.0), clamp(roughness, 0.0, 1.0),
+                    clamp(refIdx, 0.2, 5.0), max(refractColor, 0.0));
+}
+
+Material createConductorMaterial(vec3 specColor, vec3 edgeColor, float roughness)
+{
+    return Material(CONDUCTOR, vec3(0.0), clamp(specColor, 0.0, 1.0), clamp(edgeColor, 0.0, 1.0), vec3(0.0),
+                    clamp(roughness, 0.0, 1.0), 1.0, vec3(0.0));
+}
+
+Material createPlasticMaterial(vec3 albedo, float roughness)
+{
+    return Material(PLASTIC, clamp(albedo, 0.0, 1.0), vec3(0.04), vec3(1.0), vec3(0.0), clamp(roughness, 0.0, 1.0), 1.5,
+                    vec3(0.0));
 }
 
 struct HitRecord {
@@ -432,6 +553,7 @@ struct HitRecord {
     vec3 normal;  // outwards, of unit length; a negative radius turns it inwards
     float t;
     Material material;
+    int light;  // number of the quad light that was hit, or -1
 };
 
 //-------------------------------------------------------------------------------
@@ -491,6 +613,53 @@ float fresnelReflectance(float cosine, float etaI, float etaT)
 #endif
 }
 
+// Schlick's approximation from the reflectance at normal incidence (the report's equation 5).
+vec3 F_Schlick(vec3 F0, float VoH)
+{
+    return F0 + (1.0 - F0) * pow5(1.0 - clamp(VoH, 0.0, 1.0));
+}
+
+// Fresnel's equations, unpolarised light, from air into a metal of complex index eta + i k.
+vec3 fresnelConductor(float cosine, vec3 eta, vec3 k)
+{
+    float c = clamp(cosine, 0.0, 1.0);
+    float c2 = c * c;
+    float s2 = 1.0 - c2;
+    vec3 difference = (eta * eta - k * k) - s2;
+    vec3 twice = 2.0 * (eta * k);
+    vec3 modulus = sqrt(difference * difference + twice * twice);
+    vec3 root = sqrt(max(0.5 * (modulus + difference), 0.0));
+    vec3 sum1 = modulus + c2;
+    vec3 product1 = (2.0 * c) * root;
+    vec3 rs = (sum1 - product1) / (sum1 + product1);
+    vec3 sum2 = c2 * modulus + s2 * s2;
+    vec3 product2 = product1 * s2;
+    vec3 rp = (sum2 - product2) / (sum2 + product2);
+    return 0.5 * (rs + rs * rp);
+}
+
+// Gulbrandsen 2014, "Artist Friendly Metallic Fresnel" (JCGT 3(4)): the complex index that has the reflectance F0 at
+// normal incidence and the tint `edge` near 80 degrees.
+vec3 F_Gulbrandsen(vec3 F0, vec3 edge, float VoH)
+{
+    vec3 r = clamp(F0, 0.0, 0.999);
+    vec3 root = sqrt(r);
+    vec3 eta = mix((1.0 + root) / (1.0 - root), (1.0 - r) / (1.0 + r), edge);
+    vec3 above = eta + 1.0;
+    vec3 below = eta - 1.0;
+    vec3 k2 = (r * (above * above) - below * below) / (1.0 - r);
+    return fresnelConductor(VoH, eta, sqrt(max(k2, 0.0)));
+}
+
+vec3 fresnelMetal(vec3 F0, vec3 edge, float VoH)
+{
+#if FRESNEL == 0
+    return F_Gulbrandsen(F0, edge, VoH);
+#else
+    return F_Schlick(F0, VoH);
+#endif
+}
+
 // Beer and Lambert: what is left after length d in a medium that absorbs sigma per unit length. 0 beyond 87.
 vec3 transmittance(vec3 sigma, float d)
 {
@@ -500,24 +669,255 @@ vec3 transmittance(vec3 sigma, float d)
 }
 
 //-------------------------------------------------------------------------------
-// Scattering
+// Microfacets. Directions are in the frame of the normal: z is the cosine.
 //-------------------------------------------------------------------------------
 
-// Has the material a density of directions, so that light from a given direction can be weighed?
-bool sampleableByLights(Material m)
+// Below it a surface is a mirror: the lobe is narrower than its own rounding errors.
+#define ALPHA_MIN 0.001
+
+float alphaOf(float roughness)
 {
-    return m.type == DIFFUSE;
+    return roughness * roughness;
 }
 
-// BRDF times cosine. n is on the side of v; l and v point away from the surface.
-vec3 evaluateBsdf(Material m, vec3 n, vec3 v, vec3 l)
+// Trowbridge and Reitz 1975; Walter et al. 2007 (the report's equation 6). The denominator is written without
+// 1 - h.z^2, which loses 12 % at alpha = 0.001.
+float D_GGX(vec3 h, float alpha)
 {
-    float NoL = dot(n, l);
-    if (!(NoL > 0.0 && dot(n, v) > 0.0)) {
-        return vec3(0.0);
-    }
-    return (NoL * INV_PI) * m.albedo;
+    float a2 = alpha * alpha;
+    float d = a2 * (h.z * h.z) + dot(h.xy, h.xy);
+    return a2 / ((PI * d) * d);
 }
+
+float smithRoot(float NoX, float alpha)
+{
+    float a2 = alpha * alpha;
+    return sqrt(a2 + (1.0 - a2) * (NoX * NoX));
+}
+
+// Walter et al. 2007, equation 34.
+float G1_GGX(float NoX, float alpha)
+{
+    return (2.0 * NoX) / (NoX + smithRoot(NoX, alpha));
+}
+
+// The report's equation 8.
+float G1_SchlickGGX(float NoX, float alpha)
+{
+    float k = 0.5 * alpha;
+    return NoX / (NoX * (1.0 - k) + k);
+}
+
+// Heitz 2014, "Understanding the Masking-Shadowing Function" (JCGT 3(2)), equation 99, over 4 NoL NoV.
+float V_SmithGGXCorrelated(float NoV, float NoL, float alpha)
+{
+    return 0.5 / (NoL * smithRoot(NoV, alpha) + NoV * smithRoot(NoL, alpha));
+}
+
+float V_SmithGGX(float NoV, float NoL, float alpha)
+{
+    return 1.0 / ((NoV + smithRoot(NoV, alpha)) * (NoL + smithRoot(NoL, alpha)));
+}
+
+float V_SmithSchlickGGX(float NoV, float NoL, float alpha)
+{
+    return (G1_SchlickGGX(NoL, alpha) * G1_SchlickGGX(NoV, alpha)) / ((4.0 * NoL) * NoV);
+}
+
+float V_Smith(float NoV, float NoL, float alpha)
+{
+#if MASKING == 0
+    return V_SmithGGXCorrelated(NoV, NoL, alpha);
+#elif MASKING == 1
+    return V_SmithGGX(NoV, NoL, alpha);
+#else
+    return V_SmithSchlickGGX(NoV, NoL, alpha);
+#endif
+}
+
+// Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps".
+vec3 sampleVisibleNormal(vec3 v, float alpha, vec2 xi)
+{
+    vec3 stretched = normalize(vec3(alpha * v.xy, v.z));
+    float z = (1.0 - xi.y) - xi.y * stretched.z;
+    float r = sqrt(clamp(1.0 - z * z, 0.0, 1.0));
+    vec2 sc = sinCosTurn(xi.x);
+    vec3 h = vec3(r * sc.y, r * sc.x, z) + stretched;
+    return normalize(vec3(alpha * h.xy, max(h.z, 1.0e-7)));
+}
+
+// Walter et al. 2007, equations 35 and 36: density D cos.
+vec3 sampleNormal(float alpha, vec2 xi)
+{
+    float tan2 = (alpha * alpha) * (xi.y / (1.0 - xi.y));
+    float z = 1.0 / sqrt(1.0 + tan2);
+    float r = sqrt(tan2) * z;
+    vec2 sc = sinCosTurn(xi.x);
+    return vec3(r * sc.y, r * sc.x, z);
+}
+
+vec3 sampleMicrofacet(vec3 v, float alpha, vec2 xi)
+{
+#if SPECULAR_SAMPLING == 1
+    return sampleNormal(alpha, xi);
+#else
+    return sampleVisibleNormal(v, alpha, xi);
+#endif
+}
+
+// Density per solid angle of the mirror direction l, with the Jacobian 1 / (4 VoH) of the reflection.
+float pdfMicrofacet(vec3 v, vec3 h, float VoH, float alpha)
+{
+#if SPECULAR_SAMPLING == 1
+    return (D_GGX(h, alpha) * h.z) / (4.0 * VoH);
+#else
+    return D_GGX(h, alpha) / (2.0 * (v.z + smithRoot(v.z, alpha)));
+#endif
+}
+
+//-------------------------------------------------------------------------------
+// Directional albedo of the lobes above, height-correlated Smith. By quadrature over visible normals; the tables are
+// fitted from above, so that no furnace shines: 0.05 % below the truth at worst, 0.5 % above it for cosines over 0.1.
+// Rows: roughness 0 to 1 in 31 steps. Columns: square root of the cosine, 0 to 1 in 15 steps.
+//-------------------------------------------------------------------------------
+
+#ifdef HAS_CONDUCTOR
+// F = 1.
+const float GGX_ALBEDO[512] = float[512](
+    0.9959, 1.0110, 1.0024, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000,
+    1.0000, 1.0000, 1.0000, 0.9982, 0.9847, 1.0113, 1.0010, 1.0001, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000,
+    1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0155, 0.9003, 0.9792, 1.0002, 0.9989, 0.9997, 0.9999,
+    0.9999, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0199, 0.9323, 0.9137, 0.9757,
+    0.9930, 0.9965, 0.9981, 0.9995, 0.9998, 0.9999, 0.9999, 0.9999, 1.0000, 1.0000, 1.0000, 1.0000, 1.0122,
+    0.9585, 0.8914, 0.9293, 0.9724, 0.9885, 0.9941, 0.9968, 0.9980, 0.9994, 0.9997, 0.9998, 0.9999, 0.9999,
+    1.0000, 1.0000, 1.0082, 0.9722, 0.9034, 0.8983, 0.9386, 0.9707, 0.9853, 0.9918, 0.9951, 0.9970, 0.9979,
+    0.9992, 0.9997, 0.9999, 0.9999, 1.0000, 1.0055, 0.9803, 0.9217, 0.8911, 0.9097, 0.9443, 0.9696, 0.9829,
+    0.9898, 0.9936, 0.9959, 0.9972, 0.9979, 0.9994, 1.0000, 1.0000, 1.0038, 0.9854, 0.9377, 0.8972, 0.8941,
+    0.9190, 0.9480, 0.9688, 0.9809, 0.9878, 0.9919, 0.9944, 0.9963, 0.9970, 0.9983, 1.0025, 1.0027, 0.9886,
+    0.9497, 0.9079, 0.8896, 0.9005, 0.9256, 0.9503, 0.9682, 0.9794, 0.9863, 0.9905, 0.9933, 0.9953, 0.9960,
+    0.9967, 1.0020, 0.9907, 0.9582, 0.9182, 0.8911, 0.8883, 0.9049, 0.9286, 0.9499, 0.9652, 0.9754, 0.9818,
+    0.9859, 0.9880, 0.9890, 0.9908, 1.0016, 0.9921, 0.9640, 0.9264, 0.8942, 0.8800, 0.8868, 0.9053, 0.9264,
+    0.9450, 0.9591, 0.9691, 0.9762, 0.9813, 0.9851, 0.9892, 1.0014, 0.9929, 0.9678, 0.9324, 0.8998, 0.8808,
+    0.8785, 0.8901, 0.9086, 0.9281, 0.9449, 0.9578, 0.9672, 0.9737, 0.9780, 0.9814, 1.0012, 0.9935, 0.9701,
+    0.9364, 0.9061, 0.8828, 0.8728, 0.8768, 0.8903, 0.9081, 0.9257, 0.9405, 0.9518, 0.9602, 0.9674, 0.9729,
+    1.0011, 0.9938, 0.9713, 0.9405, 0.9105, 0.8842, 0.8676, 0.8644, 0.8726, 0.8873, 0.9044, 0.9208, 0.9346,
+    0.9459, 0.9543, 0.9610, 1.0011, 0.9939, 0.9716, 0.9430, 0.9130, 0.8843, 0.8652, 0.8564, 0.8582, 0.8680,
+    0.8824, 0.8982, 0.9136, 0.9267, 0.9373, 0.9457, 1.0011, 0.9939, 0.9712, 0.9441, 0.9134, 0.8851, 0.8621,
+    0.8479, 0.8445, 0.8497, 0.8608, 0.8750, 0.8901, 0.9043, 0.9166, 0.9271, 1.0011, 0.9936, 0.9701, 0.9440,
+    0.9130, 0.8838, 0.8586, 0.8408, 0.8316, 0.8318, 0.8388, 0.8504, 0.8641, 0.8786, 0.8922, 0.9041, 1.0014,
+    0.9931, 0.9693, 0.9428, 0.9117, 0.8810, 0.8541, 0.8330, 0.8196, 0.8145, 0.8170, 0.8249, 0.8365, 0.8502,
+    0.8639, 0.8771, 1.0016, 0.9926, 0.9683, 0.9405, 0.9088, 0.8774, 0.8485, 0.8244, 0.8073, 0.7975, 0.7952,
+    0.7990, 0.8076, 0.8191, 0.8322, 0.8454, 1.0019, 0.9920, 0.9669, 0.9373, 0.9045, 0.8719, 0.8413, 0.8149,
+    0.7943, 0.7803, 0.7733, 0.7728, 0.7774, 0.7862, 0.7974, 0.8100, 1.0022, 0.9913, 0.9648, 0.9339, 0.9000,
+    0.8658, 0.8333, 0.8043, 0.7804, 0.7626, 0.7512, 0.7460, 0.7465, 0.7516, 0.7600, 0.7707, 1.0024, 0.9906,
+    0.9624, 0.9299, 0.8943, 0.8581, 0.8238, 0.7925, 0.7656, 0.7441, 0.7285, 0.7189, 0.7149, 0.7157, 0.7206,
+    0.7285, 1.0027, 0.9897, 0.9597, 0.9253, 0.8875, 0.8498, 0.8132, 0.7794, 0.7497, 0.7249, 0.7053, 0.6913,
+    0.6827, 0.6791, 0.6799, 0.6842, 1.0030, 0.9888, 0.9570, 0.9204, 0.8807, 0.8404, 0.8014, 0.7652, 0.7328,
+    0.7047, 0.6814, 0.6633, 0.6503, 0.6421, 0.6383, 0.6385, 1.0033, 0.9879, 0.9542, 0.9151, 0.8729, 0.8303,
+    0.7889, 0.7500, 0.7148, 0.6836, 0.6569, 0.6349, 0.6176, 0.6050, 0.5966, 0.5921, 1.0036, 0.9869, 0.9509,
+    0.9094, 0.8646, 0.8195, 0.7754, 0.7340, 0.6959, 0.6617, 0.6318, 0.6062, 0.5850, 0.5680, 0.5551, 0.5460,
+    1.0039, 0.9858, 0.9475, 0.9035, 0.8560, 0.8079, 0.7613, 0.7171, 0.6763, 0.6392, 0.6062, 0.5773, 0.5524,
+    0.5315, 0.5144, 0.5009, 1.0041, 0.9847, 0.9440, 0.8972, 0.8467, 0.7960, 0.7465, 0.6995, 0.6560, 0.6161,
+    0.5802, 0.5483, 0.5202, 0.4958, 0.4749, 0.4574, 1.0044, 0.9836, 0.9405, 0.8905, 0.8374, 0.7836, 0.7312,
+    0.6815, 0.6352, 0.5927, 0.5541, 0.5194, 0.4884, 0.4610, 0.4369, 0.4159, 1.0048, 0.9823, 0.9368, 0.8839,
+    0.8274, 0.7707, 0.7154, 0.6630, 0.6140, 0.5690, 0.5279, 0.4907, 0.4573, 0.4273, 0.4006, 0.3769, 1.0052,
+    0.9810, 0.9330, 0.8770, 0.8175, 0.7575, 0.6993, 0.6441, 0.5927, 0.5452, 0.5019, 0.4626, 0.4270, 0.3950,
+    0.3663, 0.3405, 1.0056, 0.9796, 0.9291, 0.8697, 0.8071, 0.7442, 0.6830, 0.6252, 0.5712, 0.5215, 0.4761,
+    0.4350, 0.3978, 0.3642, 0.3340, 0.3069);
+
+float ggxAlbedo(float NoV, float roughness)
+{
+    vec2 at = vec2(15.0 * sqrt(clamp(NoV, 0.0, 1.0)), 31.0 * clamp(roughness, 0.0, 1.0));
+    ivec2 cell = min(ivec2(at), ivec2(14, 30));
+    vec2 f = at - vec2(cell);
+    int i = cell.y * 16 + cell.x;
+    return mix(mix(GGX_ALBEDO[i], GGX_ALBEDO[i + 1], f.x), mix(GGX_ALBEDO[i + 16], GGX_ALBEDO[i + 17], f.x), f.y);
+}
+
+// Turquin 2019, "Practical Multiple Scattering Compensation for Microfacet Models", equation 16.
+vec3 energyCompensation(vec3 F0, float NoV, float roughness)
+{
+#if ENERGY_COMPENSATION == 1
+    float E = ggxAlbedo(NoV, roughness);
+    return 1.0 + F0 * ((1.0 - E) / E);
+#else
+    return vec3(1.0);
+#endif
+}
+#endif
+
+#ifdef HAS_PLASTIC
+// Index 1.5, over the Fresnel reflectance at the same cosine.
+const float GLOSS_ALBEDO[512] = float[512](
+    0.9989, 1.0022, 1.0001, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000,
+    1.0000, 1.0000, 1.0000, 0.9797, 0.9987, 1.0171, 1.0033, 1.0012, 1.0004, 1.0002, 1.0001, 1.0000, 1.0000,
+    1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 0.9145, 0.8511, 0.9626, 0.9919, 0.9954, 0.9982, 0.9990,
+    0.9995, 0.9998, 1.0000, 1.0001, 1.0002, 1.0002, 1.0002, 1.0001, 1.0000, 0.8565, 0.8165, 0.8773, 0.9557,
+    0.9834, 0.9920, 0.9958, 0.9983, 1.0004, 1.0006, 1.0005, 1.0007, 1.0007, 1.0005, 1.0002, 1.0000, 0.7635,
+    0.7525, 0.7653, 0.8536, 0.9285, 0.9606, 0.9775, 0.9874, 0.9940, 0.9989, 1.0022, 1.0028, 1.0029, 1.0021,
+    1.0010, 1.0000, 0.7041, 0.7024, 0.7144, 0.7804, 0.8656, 0.9243, 0.9571, 0.9757, 0.9871, 0.9950, 1.0002,
+    1.0052, 1.0071, 1.0051, 1.0020, 1.0001, 0.6167, 0.6211, 0.6370, 0.6816, 0.7599, 0.8421, 0.9017, 0.9404,
+    0.9664, 0.9844, 0.9968, 1.0046, 1.0088, 1.0091, 1.0055, 1.0005, 0.5666, 0.5721, 0.5897, 0.6282, 0.6962,
+    0.7790, 0.8524, 0.9071, 0.9456, 0.9728, 0.9920, 1.0044, 1.0106, 1.0092, 1.0054, 1.0054, 0.4935, 0.4996,
+    0.5181, 0.5517, 0.6069, 0.6826, 0.7656, 0.8403, 0.8997, 0.9449, 0.9782, 1.0009, 1.0125, 1.0134, 1.0064,
+    0.9984, 0.4516, 0.4575, 0.4755, 0.5070, 0.5562, 0.6246, 0.7057, 0.7866, 0.8578, 0.9162, 0.9614, 0.9931,
+    1.0098, 1.0113, 1.0029, 0.9932, 0.3953, 0.4009, 0.4174, 0.4457, 0.4879, 0.5474, 0.6228, 0.7073, 0.7912,
+    0.8668, 0.9298, 0.9774, 1.0054, 1.0124, 1.0039, 0.9925, 0.3582, 0.3633, 0.3784, 0.4042, 0.4428, 0.4966,
+    0.5658, 0.6476, 0.7351, 0.8204, 0.8967, 0.9578, 0.9969, 1.0095, 1.0012, 0.9846, 0.3295, 0.3342, 0.3482,
+    0.3719, 0.4078, 0.4572, 0.5218, 0.6003, 0.6882, 0.7787, 0.8640, 0.9355, 0.9842, 1.0032, 0.9964, 0.9808,
+    0.2868, 0.2909, 0.3028, 0.3237, 0.3550, 0.3980, 0.4546, 0.5264, 0.6119, 0.7069, 0.8053, 0.8954, 0.9614,
+    0.9911, 0.9867, 0.9665, 0.2658, 0.2695, 0.2804, 0.2998, 0.3288, 0.3684, 0.4215, 0.4891, 0.5718, 0.6669,
+    0.7682, 0.8644, 0.9391, 0.9767, 0.9767, 0.9578, 0.2346, 0.2378, 0.2469, 0.2640, 0.2893, 0.3246, 0.3714,
+    0.4327, 0.5097, 0.6024, 0.7066, 0.8138, 0.9029, 0.9524, 0.9571, 0.9366, 0.2181, 0.2209, 0.2291, 0.2449,
+    0.2682, 0.3009, 0.3447, 0.4021, 0.4753, 0.5655, 0.6699, 0.7792, 0.8735, 0.9295, 0.9394, 0.9208, 0.1952,
+    0.1976, 0.2046, 0.2185, 0.2391, 0.2680, 0.3073, 0.3593, 0.4268, 0.5120, 0.6138, 0.7254, 0.8284, 0.8932,
+    0.9083, 0.8897, 0.1829, 0.1849, 0.1913, 0.2039, 0.2229, 0.2498, 0.2865, 0.3353, 0.3993, 0.4811, 0.5807,
+    0.6912, 0.7950, 0.8639, 0.8828, 0.8664, 0.1660, 0.1677, 0.1731, 0.1841, 0.2009, 0.2251, 0.2581, 0.3026,
+    0.3615, 0.4379, 0.5328, 0.6410, 0.7475, 0.8205, 0.8427, 0.8263, 0.1557, 0.1571, 0.1620, 0.1720, 0.1875,
+    0.2097, 0.2405, 0.2821, 0.3376, 0.4102, 0.5010, 0.6057, 0.7089, 0.7819, 0.8058, 0.7909, 0.1476, 0.1489,
+    0.1533, 0.1624, 0.1767, 0.1975, 0.2264, 0.2656, 0.3183, 0.3877, 0.4753, 0.5767, 0.6760, 0.7471, 0.7722,
+    0.7590, 0.1352, 0.1361, 0.1397, 0.1475, 0.1600, 0.1785, 0.2043, 0.2397, 0.2877, 0.3514, 0.4328, 0.5284,
+    0.6260, 0.6966, 0.7195, 0.7025, 0.1295, 0.1302, 0.1334, 0.1405, 0.1522, 0.1695, 0.1939, 0.2275, 0.2731,
+    0.3339, 0.4118, 0.5035, 0.5948, 0.6607, 0.6831, 0.6675, 0.1205, 0.1209, 0.1234, 0.1295, 0.1398, 0.1552,
+    0.1771, 0.2075, 0.2491, 0.3049, 0.3767, 0.4618, 0.5494, 0.6121, 0.6301, 0.6094, 0.1159, 0.1161, 0.1183,
+    0.1238, 0.1333, 0.1477, 0.1683, 0.1970, 0.2364, 0.2893, 0.3577, 0.4385, 0.5195, 0.5771, 0.5931, 0.5724,
+    0.1094, 0.1092, 0.1108, 0.1155, 0.1239, 0.1367, 0.1553, 0.1813, 0.2173, 0.2657, 0.3283, 0.4024, 0.4782,
+    0.5307, 0.5415, 0.5163, 0.1058, 0.1055, 0.1067, 0.1109, 0.1186, 0.1305, 0.1479, 0.1724, 0.2063, 0.2520,
+    0.3112, 0.3813, 0.4509, 0.4981, 0.5065, 0.4809, 0.1011, 0.1003, 0.1010, 0.1045, 0.1112, 0.1218, 0.1375,
+    0.1597, 0.1906, 0.2322, 0.2860, 0.3493, 0.4131, 0.4545, 0.4581, 0.4291, 0.0982, 0.0973, 0.0978, 0.1008,
+    0.1069, 0.1168, 0.1314, 0.1523, 0.1812, 0.2204, 0.2710, 0.3302, 0.3882, 0.4252, 0.4262, 0.3969, 0.0947,
+    0.0935, 0.0934, 0.0957, 0.1010, 0.1097, 0.1229, 0.1418, 0.1681, 0.2036, 0.2493, 0.3028, 0.3547, 0.3858,
+    0.3833, 0.3525, 0.0923, 0.0909, 0.0906, 0.0925, 0.0971, 0.1052, 0.1173, 0.1349, 0.1594, 0.1924, 0.2346,
+    0.2837, 0.3305, 0.3574, 0.3527, 0.3217);
+
+// Mean over the hemisphere, cosine-weighted.
+const float GLOSS_MEAN[32] = float[32](
+    0.0918, 0.0918, 0.0917, 0.0915, 0.0907, 0.0898, 0.0879, 0.0863, 0.0833, 0.0809, 0.0774, 0.0744, 0.0718,
+    0.0675, 0.0649, 0.0608, 0.0582, 0.0543, 0.0518, 0.0482, 0.0456, 0.0434, 0.0399, 0.0379, 0.0348, 0.0329,
+    0.0302, 0.0285, 0.0261, 0.0245, 0.0224, 0.0210);
+
+float glossAlbedo(float NoV, float roughness)
+{
+    vec2 at = vec2(15.0 * sqrt(clamp(NoV, 0.0, 1.0)), 31.0 * clamp(roughness, 0.0, 1.0));
+    ivec2 cell = min(ivec2(at), ivec2(14, 30));
+    vec2 f = at - vec2(cell);
+    int i = cell.y * 16 + cell.x;
+    float ratio =
+        mix(mix(GLOSS_ALBEDO[i], GLOSS_ALBEDO[i + 1], f.x), mix(GLOSS_ALBEDO[i + 16], GLOSS_ALBEDO[i + 17], f.x), f.y);
+    return min(ratio * fresnelDielectric(NoV, 1.0, 1.5), 1.0);
+}
+
+float glossMean(float roughness)
+{
+    float at = 31.0 * clamp(roughness, 0.0, 1.0);
+    int i = min(int(at), 30);
+    return mix(GLOSS_MEAN[i], GLOSS_MEAN[i + 1], at - float(i));
+}
+#endif
+
+//-------------------------------------------------------------------------------
+// Scattering
+//-------------------------------------------------------------------------------
 
 // Lambert. The cosine and pi of the estimator cancel against the density of the directions.
 vec3 diffuseAttenuation(vec3 albedo, float NoL)
@@ -527,6 +927,99 @@ vec3 diffuseAttenuation(vec3 albedo, float NoL)
 #else
     return albedo * NoL;
 #endif
+}
+
+// Directions in the frame of n have z along it.
+vec3 toLocal(mat3 basis, vec3 v)
+{
+    return vec3(dot(basis[0], v), dot(basis[1], v), dot(basis[2], v));
+}
+
+// Can light from a given direction be weighed: has the material a density of directions?
+bool isSampleable(Material m)
+{
+#ifdef HAS_CONDUCTOR
+    if (m.type == CONDUCTOR) {
+        return SPECULAR_SAMPLING != 2 && alphaOf(m.roughness) >= ALPHA_MIN;
+    }
+#endif
+    return m.type == DIFFUSE || m.type == PLASTIC;
+}
+
+#ifdef HAS_PLASTIC
+// The chance to follow the gloss: its share of the light that leaves.
+float glossProbability(Material m, float NoV)
+{
+#if SPECULAR_SAMPLING == 2
+    float gloss = F_Schlick(m.specColor, NoV).x;
+#else
+    float E = glossAlbedo(NoV, m.roughness);
+    float base = (1.0 - E) * dot(m.albedo, vec3(0.333333333));
+    float gloss = E / (E + base);
+#endif
+    return clamp(gloss, 0.05, 0.95);
+}
+
+// What comes up through the gloss, over albedo / pi.
+float plasticDiffuse(Material m, float NoV, float NoL)
+{
+#if PLASTIC_DIFFUSE == 0
+    // Kelemen and Szirmay-Kalos 2001: in proportion to what the gloss leaves over, both ways.
+    float enters = 1.0 - glossAlbedo(NoL, m.roughness);
+    float leaves = 1.0 - glossAlbedo(NoV, m.roughness);
+    return (enters * leaves) / (1.0 - glossMean(m.roughness));
+#elif PLASTIC_DIFFUSE == 1
+    return (1.0 - fresnelReflectance(NoL, 1.0, m.refIdx)) * (1.0 - fresnelReflectance(NoV, 1.0, m.refIdx));
+#else
+    return 1.0;
+#endif
+}
+#endif
+
+// BRDF times cosine, in the frame of the normal, and the density with which scatter chooses l. v and l point away from
+// the surface.
+vec3 evaluateLocal(Material m, vec3 v, vec3 l, inout float pdf)
+{
+    pdf = 0.0;
+    if (!(v.z > 0.0 && l.z > 0.0)) {
+        return vec3(0.0);
+    }
+#if defined(HAS_CONDUCTOR) || defined(HAS_PLASTIC)
+    float alpha = max(alphaOf(m.roughness), ALPHA_MIN);
+    vec3 h = normalize(v + l);
+    float VoH = max(dot(v, h), 1.0e-7);
+#endif
+#ifdef HAS_CONDUCTOR
+    if (m.type == CONDUCTOR) {
+        pdf = pdfMicrofacet(v, h, VoH, alpha);
+        vec3 F = fresnelMetal(m.specColor, m.edgeColor, VoH) * energyCompensation(m.specColor, v.z, m.roughness);
+        return F * (D_GGX(h, alpha) * (l.z * V_Smith(v.z, l.z, alpha)));
+    }
+#endif
+    float cosinePdf = l.z * INV_PI;
+#ifdef HAS_PLASTIC
+    if (m.type == PLASTIC) {
+        float gloss = glossProbability(m, v.z);
+        vec3 base = (cosinePdf * plasticDiffuse(m, v.z, l.z)) * m.albedo;
+#if SPECULAR_SAMPLING == 2
+        pdf = (1.0 - gloss) * cosinePdf;
+        return base;
+#else
+        pdf = mix(cosinePdf, pdfMicrofacet(v, h, VoH, alpha), gloss);
+        float F = fresnelReflectance(VoH, 1.0, m.refIdx);
+        return base + F * (D_GGX(h, alpha) * (l.z * V_Smith(v.z, l.z, alpha)));
+#endif
+    }
+#endif
+    pdf = cosinePdf;
+    return cosinePdf * m.albedo;
+}
+
+// The same in the world. n is on the side of v.
+vec3 evaluateBsdf(Material m, vec3 n, vec3 v, vec3 l, inout float pdf)
+{
+    mat3 basis = basisAround(n);
+    return evaluateLocal(m, toLocal(basis, v), toLocal(basis, l), pdf);
 }
 
 // A perfect direction made fuzzy: a point of a ball of radius roughness around its tip. No density is known.
@@ -571,6 +1064,46 @@ bool scatter(Ray rIn, HitRecord rec, vec4 xi, inout vec3 attenuation, inout Ray 
         attenuation = inside ? transmittance(m.refractColor, distance(rec.pos, rIn.from)) : vec3(1.0);
         rScattered = spawnRay(rec.pos, rec.normal, d, rIn.time);
         return true;
+    }
+#endif
+
+#if defined(HAS_CONDUCTOR) || defined(HAS_PLASTIC)
+    if (m.type == CONDUCTOR || m.type == PLASTIC) {
+        mat3 basis = basisAround(normal);
+        vec3 v = toLocal(basis, -rIn.d);
+        float alpha = alphaOf(m.roughness);
+        float gloss = 1.0;
+#ifdef HAS_PLASTIC
+        if (m.type == PLASTIC) {
+            alpha = max(alpha, ALPHA_MIN);
+            gloss = glossProbability(m, v.z);
+        }
+#endif
+        bool specular = xi.z < gloss;
+        bool hasDensity = !specular || (SPECULAR_SAMPLING != 2 && alpha >= ALPHA_MIN);
+        vec3 l = vec3(-v.x, -v.y, v.z);
+        if (!specular) {
+            vec2 p = sampleDisk(xi.xy);
+            l = vec3(p, sqrt(max(0.0, 1.0 - dot(p, p))));
+        } else if (hasDensity) {
+            vec3 h = sampleMicrofacet(v, alpha, xi.xy);
+            l = normalize(reflect(-v, h));
+        } else if (alpha >= ALPHA_MIN) {
+            l = fuzz(l, m.roughness, xi.xyw);
+        }
+        if (hasDensity) {
+            vec3 f = evaluateLocal(m, v, l, pdf);
+            if (!(pdf > 0.0)) {
+                pdf = 0.0;
+                return false;
+            }
+            attenuation = f / pdf;
+        } else {
+            vec3 F = m.type == PLASTIC ? F_Schlick(m.specColor, v.z) : fresnelMetal(m.specColor, m.edgeColor, v.z);
+            attenuation = F / gloss;
+        }
+        rScattered = spawnRay(rec.pos, rec.normal, normalize(toWorld(basis, l)), rIn.time);
+        return l.z > 0.0;
     }
 #endif
 
@@ -782,4 +1315,47 @@ struct PointLight {
 PointLight createPointLight(vec3 pos, vec3 color, float intensity)
 {
     return PointLight(pos, color, intensity);
+}
+
+// A parallelogram that shines to the side of its normal, edge1 x edge2.
+struct QuadLight {
+    vec3 corner;
+    vec3 edge1;
+    vec3 edge2;
+    vec3 color;   // radiance
+    vec3 normal;
+    float area;
+};
+
+QuadLight createQuadLight(Quad quad, vec3 color)
+{
+    vec3 n = cross(quad.edge1, quad.edge2);
+    float area = length(n);
+    return QuadLight(quad.corner, quad.edge1, quad.edge2, color, n / area, area);
+}
+
+// Uniform on the light.
+vec3 sampleQuadLight(QuadLight ql, vec2 xi)
+{
+    return ql.corner + (xi.x * ql.edge1 + xi.y * ql.edge2);
+}
+
+// Density per solid angle of a uniform point, seen from a point at toLight's start. 0 from behind and edge on.
+float pdfQuadLight(QuadLight ql, vec3 toLight)
+{
+    float distance2 = dot(toLight, toLight);
+    float cosine = -dot(toLight, ql.normal);  // times the distance
+    return cosine > 0.0 && distance2 > 1.0e-12 ? distance2 * sqrt(distance2) / (cosine * ql.area) : 0.0;
+}
+
+// Veach and Guibas 1995, power and balance heuristics: the weight of a direction that the first density chose.
+float powerHeuristic(float pdf, float other)
+{
+    float ratio = other / pdf;
+    return 1.0 / (1.0 + ratio * ratio);
+}
+
+float balanceHeuristic(float pdf, float other)
+{
+    return pdf / (pdf + other);
 }

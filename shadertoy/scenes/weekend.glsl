@@ -11,15 +11,27 @@
 #define HAS_METAL
 #define HAS_DIELECTRIC
 #define HAS_POINT_LIGHTS
+#define HAS_SMALL_SPHERES
 
+#define QUADS 1
+#define SPHERES 5
 #define POINT_LIGHTS 3
+#define QUAD_LIGHTS 0
 
-#define CAMERA_EYE vec3(3.0, 2.3, 9.2)
+// Degrees, from +z towards +x and above the horizon; distances to the target.
 #define CAMERA_AT vec3(0.25, 0.7, 0.0)
+#define CAMERA_AZIMUTH 16.6
+#define CAMERA_ELEVATION 9.5
+#define CAMERA_DISTANCE 9.74
+#define CAMERA_MIN_ZOOM 5.0
+#define CAMERA_MAX_ZOOM 14.0
+#define CAMERA_MIN_ELEVATION 2.0
+#define CAMERA_MAX_ELEVATION 80.0
 #define CAMERA_FOVY 33.0
-#define CAMERA_APERTURE 0.12
-#define CAMERA_FOCUS 0.9
+#define CAMERA_APERTURE 0.12  // lens diameter
+#define CAMERA_FOCUS 0.9      // distance in focus over the distance to the target
 
+#define SCENE_BACKGROUND 0
 #define SCENE_EXPOSURE 0.0
 
 #else
@@ -28,8 +40,12 @@
 // Tables
 //-------------------------------------------------------------------------------
 
+// Corner and two edges.
+const vec3 QUAD[3] = vec3[3](
+    vec3(-10.0, -0.05, 10.0), vec3(20.0, 0.0, 0.0), vec3(0.0, 0.0, -20.0));
+
 // Centre and radius. The negative radius hollows out the glass before it.
-const vec4 LARGE_SPHERE[5] = vec4[5](
+const vec4 SPHERE[5] = vec4[5](
     vec4(-4.0, 1.0, 0.0, 1.0), vec4(4.0, 1.0, 0.0, 1.0), vec4(-1.5, 1.0, 0.0, 1.0), vec4(-1.5, 1.0, 0.0, -0.5),
     vec4(1.5, 1.0, 0.0, 1.0));
 
@@ -159,9 +175,9 @@ MovingSphere smallSphere(int cell)
 #define GRID_LOW vec3(-5.2, 0.0, -5.2)
 #define GRID_HIGH vec3(5.1, 0.9, 5.1)
 
-// The cell of the nearest small sphere in (tmin, tmax), and its t; -1 and tmax when there is none. Walks the columns
-// of the grid along the longer horizontal axis; within a column the ray can meet three cells at most.
-int nearestSmallSphere(Ray r, float tmin, float tmax, inout float tHit)
+// The cell of the nearest small sphere in (tmin, tmax), or -1. Walks the columns of the grid along the longer horizontal
+// axis; within a column the ray can meet three cells at most.
+int nearestSmallSphere(Ray r, float tmin, float tmax)
 {
     vec3 d = vec3(abs(r.d.x) < 1.0e-9 ? 1.0e-9 : r.d.x, abs(r.d.y) < 1.0e-9 ? 1.0e-9 : r.d.y,
                   abs(r.d.z) < 1.0e-9 ? 1.0e-9 : r.d.z);
@@ -181,7 +197,7 @@ int nearestSmallSphere(Ray r, float tmin, float tmax, inout float tHit)
     float column = clamp(forward * ceil(forward * start), -5.0, 4.0);
 
     int found = -1;
-    tHit = tmax;
+    float tHit = tmax;
     for (int i = 0; i < 10; i++) {
         float t0 = max((column + edges.x - o.x) / e.x, tEnter);
         float t1 = min((column + edges.y - o.x) / e.x, tLeave);
@@ -220,52 +236,24 @@ Material smallMaterial(int cell)
     return createDielectricMaterial(m.rgb, m.w, 0.0);
 }
 
-Material largeMaterial(int i)
+Material scene_material(int primitive, vec3 pos)
 {
-    if (i == 0) {
+    if (primitive == 0) {
+        return createDiffuseMaterial(vec3(0.2));
+    }
+    if (primitive == 1) {
         return createDiffuseMaterial(vec3(0.2, 0.95, 0.1));
     }
-    if (i == 1) {
+    if (primitive == 2) {
         return createMetalMaterial(vec3(0.7, 0.6, 0.5), 0.0);
     }
-    if (i == 4) {
+    if (primitive <= 4) {
+        return createDielectricMaterial(vec3(0.0), 1.33, 0.0);
+    }
+    if (primitive == 5) {
         return createDielectricMaterial(vec3(0.0, 0.9, 0.9), 1.5, 0.0);
     }
-    return createDielectricMaterial(vec3(0.0), 1.33, 0.0);
-}
-
-bool hit_scene(Ray r, float tmin, float tmax, inout HitRecord rec)
-{
-    bool hit = false;
-    Quad ground = createQuad(vec3(-10.0, -0.05, 10.0), vec3(20.0, 0.0, 0.0), vec3(0.0, 0.0, -20.0));
-    if (hit_quad(ground, r, tmin, tmax, rec)) {
-        hit = true;
-        rec.material = createDiffuseMaterial(vec3(0.2));
-    }
-
-    float t = hit ? rec.t : tmax;
-    int large = -1;
-    for (int i = 0; i < 5; i++) {
-        vec4 s = OPAQUE(LARGE_SPHERE[i]);
-        float ti = sphereRoot(r.o - s.xyz, r.d, s.w, tmin, t);
-        if (ti < t) {
-            t = ti;
-            large = i;
-        }
-    }
-    if (large >= 0) {
-        vec4 s = LARGE_SPHERE[large];
-        hit = hit_sphere(createSphere(s.xyz, s.w), r, tmin, tmax, rec);
-        rec.material = largeMaterial(large);
-    }
-
-    float tSmall = t;
-    int cell = nearestSmallSphere(r, tmin, t, tSmall);
-    if (cell >= 0) {
-        hit = hit_movingSphere(smallSphere(cell), r, tmin, tmax, rec);
-        rec.material = smallMaterial(cell);
-    }
-    return hit;
+    return smallMaterial(primitive - 6);
 }
 
 //-------------------------------------------------------------------------------
@@ -276,13 +264,6 @@ PointLight scene_pointLight(int i)
 {
     vec3 pos = i == 0 ? vec3(-10.0, 15.0, 0.0) : i == 1 ? vec3(8.0, 15.0, 3.0) : vec3(1.0, 15.0, -9.0);
     return createPointLight(pos, vec3(1.0), 400.0);
-}
-
-// The gradient runs on above the horizon: its parameter reaches 1.6 at the zenith.
-vec3 scene_background(vec3 d)
-{
-    float t = 0.8 * (d.y + 1.0);
-    return mix(vec3(1.0), vec3(0.5, 0.7, 1.0), t);
 }
 
 #endif
