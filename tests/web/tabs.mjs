@@ -50,20 +50,23 @@ function samplerOf({ MinFilter = 'Linear', MagFilter = 'Linear', WrapMode = 'Rep
   return { filter, wrap: WrapMode === 'Clamp' ? 'clamp' : 'repeat', vflip: Type !== 'CubeMap' };
 }
 
-// The passes for site.js. Every text is a file's or several files' one after the other, unmodified.
+// The passes for site.js, in the order in which local tools draw them: what is read comes first. (On shadertoy.com it is
+// the order in which one made the tabs.) Every text is a file's or several files' one after the other, unmodified.
 export function tabsOf(folder, sceneFile) {
   const scene = readFileSync(sceneFile, 'utf8');
   const textOf = (name) => (name.endsWith('select.glsl') ? scene : readFileSync(path.join(folder, name), 'utf8'));
+  const seen = new Set();
   const files = new Map();
   const visit = (name) => {
-    if (files.has(name)) return;
+    if (seen.has(name)) return;
+    seen.add(name);
     const found = readFile(path.join(folder, name));
-    files.set(name, found);
     for (const { source } of found.channels.values()) if (source?.endsWith('.glsl')) visit(source);
+    files.set(name, found);
   };
   visit('image.glsl');
 
-  const buffers = [...files.keys()].filter((name) => name !== 'image.glsl');
+  const buffers = [...seen].filter((name) => name !== 'image.glsl');
   const tabName = (name) => (name === 'image.glsl' ? 'Image' : `Buffer ${letters[buffers.indexOf(name)]}`);
   const inputOf = (name, [channel, settings]) => {
     const sampler = samplerOf(settings);
