@@ -40,7 +40,7 @@
 #endif
 
 // Microfacets that are hidden. 0: height-correlated Smith. 1: separable Smith, 1 to 3 % darker when rough. 2: the
-// report's equations 7 and 8, Schlick's fit with k = alpha / 2: a division instead of two square roots, 5 to 8 % darker.
+// report's equations 7 and 8, Schlick's fit with k = alpha / 2: no square roots, 5 to 8 % darker.
 #ifndef MASKING
 #define MASKING 0
 #endif
@@ -1192,7 +1192,7 @@ Quad createQuad(vec3 corner, vec3 edge1, vec3 edge2)
 }
 
 // One plane, one pair of coordinates in [0, 1] along the edges: no diagonal, so no crack. The dual edges fold to
-// constants when the quad is one.
+// constants when the quad is one. The hit is put together from the edges, so that it lies in the plane.
 bool hit_quad(Quad quad, Ray r, float tmin, float tmax, inout HitRecord rec)
 {
     vec3 n = cross(quad.edge1, quad.edge2);
@@ -1213,8 +1213,8 @@ bool hit_quad(Quad quad, Ray r, float tmin, float tmax, inout HitRecord rec)
         return false;
     }
     rec.t = t;
-    rec.pos = pointOnRay(r, t);
-    rec.normal = n * inversesqrt(n2);
+    rec.pos = quad.corner + (a * quad.edge1 + b * quad.edge2);
+    rec.normal = n / sqrt(n2);
     return true;
 }
 
@@ -1229,8 +1229,9 @@ Sphere createSphere(vec3 center, float radius)
     return Sphere(center, radius);
 }
 
-// The nearest root in (tmin, tmax) of |o + t d| = radius, or tmax when there is none. o is relative to the centre.
-float sphereRoot(vec3 o, vec3 d, float radius, float tmin, float tmax)
+// Both roots of |o + t d| = radius, the nearer one first. False when there are none, or only one. o is relative to the
+// centre.
+bool sphereRoots(vec3 o, vec3 d, float radius, inout vec2 roots)
 {
     float radius2 = radius * radius;
     float b = -dot(o, d);
@@ -1241,27 +1242,36 @@ float sphereRoot(vec3 o, vec3 d, float radius, float tmin, float tmax)
     vec3 closest = o + b * d;
     float discriminant = radius2 - dot(closest, closest);
     if (!(discriminant > 0.0)) {
-        return tmax;
+        return false;
     }
     float s = sqrt(discriminant);
     float q = b >= 0.0 ? b + s : b - s;
-    float t1 = c / q;
-    float tNear = min(t1, q);
-    float tFar = max(t1, q);
+    float other = c / q;
+    roots = vec2(min(other, q), max(other, q));
 #else
     float discriminant = b * b - c;
     if (!(discriminant > 0.0)) {
-        return tmax;
+        return false;
     }
     float s = sqrt(discriminant);
-    float tNear = b - s;
-    float tFar = b + s;
+    roots = vec2(b - s, b + s);
 #endif
-    float t = tNear > tmin ? tNear : tFar;
+    return true;
+}
+
+// The nearest root in (tmin, tmax), or tmax when there is none.
+float sphereRoot(vec3 o, vec3 d, float radius, float tmin, float tmax)
+{
+    vec2 roots = vec2(tmax);
+    if (!sphereRoots(o, d, radius, roots)) {
+        return tmax;
+    }
+    float t = roots.x > tmin ? roots.x : roots.y;
     return t > tmin && t < tmax ? t : tmax;
 }
 
-// The hit is moved back on to the sphere, where the offset of the next ray expects it.
+// The offset origin decides which root is hit; where it lies is taken from the point that the ray really left, so that
+// refraction doesn't add the offsets up. The hit is moved back on to the sphere, where the next offset expects it.
 bool hit_sphere(Sphere s, Ray r, float tmin, float tmax, inout HitRecord rec)
 {
     vec3 o = r.o - s.center;
@@ -1269,7 +1279,13 @@ bool hit_sphere(Sphere s, Ray r, float tmin, float tmax, inout HitRecord rec)
     if (!(t < tmax)) {
         return false;
     }
-    vec3 n = normalize(o + t * r.d);
+    vec3 p = o + t * r.d;
+    vec3 from = r.from - s.center;
+    vec2 roots = vec2(0.0);
+    if (sphereRoots(from, r.d, s.radius, roots)) {
+        p = from + (abs(roots.x - t) < abs(roots.y - t) ? roots.x : roots.y) * r.d;
+    }
+    vec3 n = normalize(p);
     rec.t = t;
     rec.pos = s.center + abs(s.radius) * n;
     rec.normal = s.radius < 0.0 ? -n : n;

@@ -26,12 +26,12 @@
 #define QUADS 1
 #define QUAD_LIGHTS 0
 #define SCENE_BACKGROUND 2
-#define SCENE_EXPOSURE 0.6
+#define SCENE_EXPOSURE 0.3
 #else
 #define QUADS 6
 #define QUAD_LIGHTS 1
 #define SCENE_BACKGROUND 3
-#define SCENE_EXPOSURE -2.3
+#define SCENE_EXPOSURE -1.8
 #endif
 #ifndef SPHERES
 #if CORNELL == 2
@@ -51,10 +51,17 @@
 #endif
 
 // Degrees, from +z towards +x and above the horizon; distances to the target.
+#if CORNELL == 1
+#define CAMERA_AT vec3(0.0, 1.3, 0.0)
+#define CAMERA_AZIMUTH 12.0
+#define CAMERA_ELEVATION 9.0
+#define CAMERA_DISTANCE 9.5
+#else
 #define CAMERA_AT vec3(0.0, 0.5 * HEIGHT, 0.0)
 #define CAMERA_AZIMUTH 0.0
 #define CAMERA_ELEVATION 0.0
-#define CAMERA_DISTANCE (HALF_WIDTH + 1.5 * HEIGHT)
+#define CAMERA_DISTANCE (HALF_WIDTH + 1.45 * HEIGHT)
+#endif
 #define CAMERA_MIN_ZOOM (0.9 * HEIGHT)
 #define CAMERA_MAX_ZOOM (HALF_WIDTH + 2.5 * HEIGHT)
 #define CAMERA_MIN_ELEVATION -10.0

@@ -35,7 +35,7 @@
 #define CAMERA_FOCUS 1.0
 
 #define SCENE_BACKGROUND 1
-#define SCENE_EXPOSURE 0.7
+#define SCENE_EXPOSURE 0.3
 
 #else
 

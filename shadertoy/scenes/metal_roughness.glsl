@@ -29,7 +29,7 @@
 #define CAMERA_FOCUS 1.0
 
 #define SCENE_BACKGROUND 2
-#define SCENE_EXPOSURE 0.7
+#define SCENE_EXPOSURE 0.1
 
 #else
 

@@ -175,8 +175,8 @@ MovingSphere smallSphere(int cell)
 #define GRID_LOW vec3(-5.2, 0.0, -5.2)
 #define GRID_HIGH vec3(5.1, 0.9, 5.1)
 
-// The cell of the nearest small sphere in (tmin, tmax), or -1. Walks the columns of the grid along the longer horizontal
-// axis; within a column the ray can meet three cells at most.
+// The cell of the nearest small sphere in (tmin, tmax), or -1. Walks the columns of the grid along the longer
+// horizontal axis; within a column the ray can meet three cells at most.
 int nearestSmallSphere(Ray r, float tmin, float tmax)
 {
     vec3 d = vec3(abs(r.d.x) < 1.0e-9 ? 1.0e-9 : r.d.x, abs(r.d.y) < 1.0e-9 ? 1.0e-9 : r.d.y,
