@@ -1,0 +1,129 @@
+#include "reference/glsl/texture_image.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "reference/glsl/denormals.h"
+#include "reference/glsl/filtering.h"
+#include "reference/glsl/sample.h"
+
+namespace shadertwin::glsl {
+
+namespace {
+
+SamplerState state_of(const shadertwin::Sampler& sampler) {
+  using Mipmaps = SamplerState::Mipmaps;
+  SamplerState state;
+  state.mag_linear = sampler.mag == MagFilter::linear;
+  switch (sampler.min) {
+    case MinFilter::nearest:
+      break;
+    case MinFilter::linear:
+      state.min_linear = true;
+      break;
+    case MinFilter::nearest_mipmap_nearest:
+      state.mipmaps = Mipmaps::nearest;
+      break;
+    case MinFilter::nearest_mipmap_linear:
+      state.mipmaps = Mipmaps::linear;
+      break;
+    case MinFilter::linear_mipmap_nearest:
+      state.min_linear = true;
+      state.mipmaps = Mipmaps::nearest;
+      break;
+    case MinFilter::linear_mipmap_linear:
+      state.min_linear = true;
+      state.mipmaps = Mipmaps::linear;
+      break;
+  }
+  switch (sampler.wrap) {
+    case shadertwin::Wrap::repeat:
+      state.wrap = SamplerState::Wrap::repeat;
+      break;
+    case shadertwin::Wrap::clamp:
+      state.wrap = SamplerState::Wrap::clamp;
+      break;
+    case shadertwin::Wrap::mirror:
+      state.wrap = SamplerState::Wrap::mirror;
+      break;
+  }
+  return state;
+}
+
+BoundTexture bound(const TextureImage* image, const shadertwin::Sampler& sampler, const Sampling& sampling) {
+  if (image == nullptr) return {};
+  return {&image->view(), &sampling, state_of(sampler)};
+}
+
+// glGenerateMipmap draws each level as a quad that samples the level above linearly.
+void shrink(const TextureView& view, const TextureLevel& from, TextureLevel& to, std::byte* texels,
+            int layers) {
+  TextureView source;
+  source.is_float = view.is_float;
+  source.levels = 1;
+  SamplerState state;
+  state.min_linear = state.mag_linear = true;
+  state.wrap = SamplerState::Wrap::clamp;
+  const bool volume = from.depth > 1;
+  const int offset[3] = {0, 0, 0};
+  const std::size_t texel_bytes = view.is_float ? 16 : 4;
+  const std::size_t from_layer = texel_bytes * from.width * from.height;
+  std::byte* out = texels;
+  for (int z = 0; z < layers; ++z) {
+    source.level[0] = from;
+    if (!volume) source.level[0].texels = static_cast<const std::byte*>(from.texels) + from_layer * z;
+    for (int y = 0; y < to.height; ++y) {
+      for (int x = 0; x < to.width; ++x, out += texel_bytes) {
+        const float p[3] = {(static_cast<float>(x) + 0.5F) / static_cast<float>(to.width),
+                            (static_cast<float>(y) + 0.5F) / static_cast<float>(to.height),
+                            (static_cast<float>(z) + 0.5F) / static_cast<float>(to.depth)};
+        float rgba[4];
+        (volume ? sampling_3d() : sampling_2d()).sample(source, state, p, offset, LodRequest{}, rgba);
+        if (view.is_float) {
+          std::memcpy(out, rgba, sizeof rgba);
+        } else {
+          for (int c = 0; c < 4; ++c)
+            out[c] = static_cast<std::byte>(filtering::to_nearest(rgba[c] * 255.0F));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+TextureImage::TextureImage(const Texture& texture, bool mipmaps) {
+  view_.is_float = texture.format == Texture::Format::rgba32f;
+  view_.levels = 1;
+  view_.level[0] = {texture.data.data(), texture.width, texture.height, texture.depth};
+  if (mipmaps) add_mipmaps(texture.faces);
+}
+
+void TextureImage::add_mipmaps(int faces) {
+  const FlushDenormals flush;
+  while (view_.levels < TextureView::max_levels) {
+    const TextureLevel& from = view_.level[view_.levels - 1];
+    if (from.width == 1 && from.height == 1 && from.depth == 1) return;
+    TextureLevel to{nullptr, std::max(1, from.width / 2), std::max(1, from.height / 2),
+                    std::max(1, from.depth / 2)};
+    const int layers = to.depth * faces;
+    const std::size_t texel_bytes = view_.is_float ? 16 : 4;
+    mipmaps_.emplace_back(texel_bytes * to.width * to.height * layers);
+    shrink(view_, from, to, mipmaps_.back().data(), layers);
+    to.texels = mipmaps_.back().data();
+    view_.level[view_.levels++] = to;
+  }
+}
+
+sampler2D bind2d(const TextureImage* image, const shadertwin::Sampler& sampler) {
+  return {bound(image, sampler, sampling_2d())};
+}
+sampler3D bind3d(const TextureImage* image, const shadertwin::Sampler& sampler) {
+  return {bound(image, sampler, sampling_3d())};
+}
+samplerCube bindcube(const TextureImage* image, const shadertwin::Sampler& sampler) {
+  return {bound(image, sampler, sampling_cube())};
+}
+
+}  // namespace shadertwin::glsl
