@@ -1192,7 +1192,7 @@ Quad createQuad(vec3 corner, vec3 edge1, vec3 edge2)
 }
 
 // One plane, one pair of coordinates in [0, 1] along the edges: no diagonal, so no crack. The dual edges fold to
-// constants when the quad is one. The hit is put together from the edges, so that it lies in the plane.
+// constants when the quad is one. The hit is moved back into the plane.
 bool hit_quad(Quad quad, Ray r, float tmin, float tmax, inout HitRecord rec)
 {
     vec3 n = cross(quad.edge1, quad.edge2);
@@ -1213,8 +1213,8 @@ bool hit_quad(Quad quad, Ray r, float tmin, float tmax, inout HitRecord rec)
         return false;
     }
     rec.t = t;
-    rec.pos = quad.corner + (a * quad.edge1 + b * quad.edge2);
     rec.normal = n / sqrt(n2);
+    rec.pos = quad.corner + (p - dot(p, rec.normal) * rec.normal);
     return true;
 }
 
