@@ -32,6 +32,12 @@
 #define SPHERE_ROOT 0
 #endif
 
+// A sphere's negative radius. 0: makes it a cavity, with its normal towards the centre. 1: the sign is ignored, as in the
+// report before its correction: hollow glass refracts like one solid ball inside another.
+#ifndef NEGATIVE_RADIUS
+#define NEGATIVE_RADIUS 0
+#endif
+
 // Random numbers. 0: PCG4D keyed by pixel, sample and dimension. 1: pairs of Owen-scrambled Sobol points: noise falls
 // faster than with independent numbers where the picture is smooth; about ten times the integer work. 2: a float seed
 // that grows by 0.1 a draw and is hashed, as in the report's assignment, but from the sample number, never the time.
@@ -78,6 +84,9 @@
 #endif
 #if SPHERE_ROOT < 0 || SPHERE_ROOT > 1
 #error SPHERE_ROOT is 0 (closest approach) or 1 (textbook)
+#endif
+#if NEGATIVE_RADIUS < 0 || NEGATIVE_RADIUS > 1
+#error NEGATIVE_RADIUS is 0 (cavity) or 1 (ignored)
 #endif
 #if RANDOM_NUMBERS < 0 || RANDOM_NUMBERS > 2
 #error RANDOM_NUMBERS is 0 (PCG4D), 1 (Sobol) or 2 (float seed)
@@ -1288,7 +1297,11 @@ bool hit_sphere(Sphere s, Ray r, float tmin, float tmax, inout HitRecord rec)
     vec3 n = normalize(p);
     rec.t = t;
     rec.pos = s.center + abs(s.radius) * n;
+#if NEGATIVE_RADIUS == 0
     rec.normal = s.radius < 0.0 ? -n : n;
+#else
+    rec.normal = n;
+#endif
     return true;
 }
 

@@ -15,6 +15,8 @@
 #define POINT_LIGHTS 0
 #define QUAD_LIGHTS 1
 
+// With -D ROUGHNESS=x every ball has that roughness, in [0, 1]; without it they go from 0 to 1.
+
 // Degrees, from +z towards +x and above the horizon; distances to the target.
 #define CAMERA_AT vec3(0.0, -5.0, 0.0)
 #define CAMERA_AZIMUTH 0.0
@@ -61,7 +63,11 @@ Material scene_material(int primitive, vec3 pos)
     }
     int i = primitive - 4;
     bool gold = i < 7;
+#ifdef ROUGHNESS
+    float roughness = clamp(ROUGHNESS, 0.0, 1.0);
+#else
     float roughness = float(gold ? i : i - 7) * 0.166666667;
+#endif
     return createConductorMaterial(gold ? vec3(1.0, 0.71, 0.29) : vec3(1.0), vec3(1.0, 0.98, 0.95), roughness);
 }
 
