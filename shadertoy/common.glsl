@@ -598,18 +598,23 @@ float schlick(float cosine, float etaI, float etaT)
     return r0 + (1.0 - r0) * pow5(1.0 - c);
 }
 
-// Fresnel's equations, unpolarised light, dielectrics. 1 beyond the critical angle.
+// Fresnel's equations, unpolarised light, dielectrics. 1 beyond the critical angle. g is etaT cos_t / etaI. Its square,
+// eta^2 - sin^2, is taken from the smaller of sine and cosine: the other form would cancel.
 float fresnelDielectric(float cosine, float etaI, float etaT)
 {
+    if (etaI == etaT) {
+        return 0.0;
+    }
     float c = clamp(cosine, 0.0, 1.0);
     float eta = etaT / etaI;
-    float sin2 = ((1.0 - c) * (1.0 + c)) / (eta * eta);
-    if (sin2 >= 1.0) {
+    float eta2 = eta * eta;
+    float g2 = c > 0.7 ? eta2 - (1.0 - c) * (1.0 + c) : c * c + ((etaT - etaI) * (etaT + etaI)) / (etaI * etaI);
+    if (!(g2 > 0.0)) {
         return 1.0;
     }
-    float ct = sqrt(1.0 - sin2);
-    float rs = (c - eta * ct) / (c + eta * ct);
-    float rp = (eta * c - ct) / (eta * c + ct);
+    float g = sqrt(g2);
+    float rs = (c - g) / (c + g);
+    float rp = (eta2 * c - g) / (eta2 * c + g);
     return 0.5 * (rs * rs + rp * rp);
 }
 

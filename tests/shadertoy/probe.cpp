@@ -1,0 +1,113 @@
+#include "tests/shadertoy/probe.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "host/gl/gl_player.h"
+#include "host/player/fixed_clock.h"
+#include "tests/scratch_folder.h"
+
+namespace shadertwin {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int input_channel = 9;
+
+fs::path shader_folder() {
+  return fs::path(SHADERTWIN_SOURCE_DIR) / "tests" / "shadertoy";
+}
+
+// Table <-> picture, as probe.glsl says. The last row is padded with copies of the last case.
+struct Layout {
+  std::size_t cases;
+  int size;
+  int width() const { return static_cast<int>(std::min<std::size_t>(cases, 1024)); }
+  int rows() const {
+    return static_cast<int>((cases + static_cast<std::size_t>(width()) - 1) /
+                            static_cast<std::size_t>(width()));
+  }
+  int height() const { return rows() * size; }
+};
+
+Image to_image(const Table& table) {
+  const Layout layout{table.cases(), table.size()};
+  Image image(layout.width(), layout.height());
+  for (int row = 0; row < layout.rows(); ++row)
+    for (int x = 0; x < layout.width(); ++x) {
+      const std::size_t i = static_cast<std::size_t>(row) * static_cast<std::size_t>(layout.width()) +
+                            static_cast<std::size_t>(x);
+      for (int j = 0; j < table.size(); ++j)
+        std::memcpy(image.at(x, row * table.size() + j), &table.at(std::min(i, table.cases() - 1), j),
+                    sizeof(glm::vec4));
+    }
+  return image;
+}
+
+Table to_table(const Image& image, std::size_t cases, int size) {
+  Table table(cases, size);
+  const auto width = static_cast<std::size_t>(image.width);
+  for (std::size_t i = 0; i < cases; ++i)
+    for (int j = 0; j < size; ++j)
+      std::memcpy(&table.at(i, j),
+                  image.at(static_cast<int>(i % width), static_cast<int>(i / width) * size + j),
+                  sizeof(glm::vec4));
+  return table;
+}
+
+Table run(const Backend& backend, const Probe& probe, std::size_t cases, const fs::path& inputs) {
+  LoadOptions options;
+  options.defines = probe.defines;
+  options.defines.emplace_back("INPUTS", std::to_string(probe.inputs));
+  options.defines.emplace_back("OUTPUTS", std::to_string(probe.outputs));
+  Project project = load_project(shader_folder() / probe.file, options);
+  if (!inputs.empty()) {
+    Input& input = project.passes.back().inputs[input_channel];
+    input.kind = InputKind::texture;
+    input.sampler = {MinFilter::nearest, MagFilter::nearest, Wrap::clamp, true};
+    input.files = {inputs};
+  }
+  const Layout layout{cases, probe.outputs};
+  Frame frame;
+  frame.width = layout.width();
+  frame.height = layout.height();
+  frame.index = probe.function;
+  const auto player = backend.create(project);
+  player->render(frame);
+  return to_table(player->read(static_cast<int>(project.passes.size()) - 1), cases, probe.outputs);
+}
+
+}  // namespace
+
+const std::vector<Backend>& backends() {
+  static const std::vector<Backend> all = {
+      {"gl", [](const Project& project) { return gl::GlPlayer::create(gl::open_context("egl"), project); }},
+  };
+  return all;
+}
+
+Table run_probe(const Backend& backend, const Probe& probe, const Table& inputs) {
+  const ScratchFolder folder;
+  write_image(to_image(inputs), folder / "inputs.exr");
+  return run(backend, probe, inputs.cases(), folder / "inputs.exr");
+}
+
+Table run_probe(const Backend& backend, const Probe& probe, std::size_t cases) {
+  return run(backend, probe, cases, {});
+}
+
+Image run_shader(const Backend& backend, const Take& take) {
+  LoadOptions options;
+  options.defines = take.defines;
+  const Project project = load_project(shader_folder() / take.file, options);
+  Schedule schedule;
+  schedule.width = take.width;
+  schedule.height = take.height;
+  FixedClock clock(schedule, project.dialect);
+  const auto player = backend.create(project);
+  for (int i = 0; i < take.frames; ++i) player->render(clock.next());
+  return player->read(static_cast<int>(project.passes.size()) - 1);
+}
+
+}  // namespace shadertwin
