@@ -172,7 +172,7 @@ vec3 background(vec3 d)
 {
 #if BACKGROUND == 0
     // The report's gradient runs on above the horizon: its parameter reaches 1.6 at the zenith.
-    return mix(vec3(1.0), vec3(0.5, 0.7, 1.0), 0.8 * (d.y + 1.0));
+    return mix(vec3(1.0), OPAQUE(vec3(0.5, 0.7, 1.0)), 0.8 * (d.y + 1.0));
 #elif BACKGROUND == 1
     return toLinear(textureLod(iChannel1, d, 0.0).rgb);
 #elif BACKGROUND == 2
@@ -407,7 +407,8 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord)
     uvec2 pixel = uvec2(fragCoord);
     // Buffer B's state; when it isn't there, or was kept for a picture of another size, the scene's own view.
     vec4 orbit = texelFetch(iChannel3, ivec2(0, 0), 0);
-    bool steered = texelFetch(iChannel3, ivec2(2, 0), 0).xy == iResolution.xy;
+    ivec2 sizeTexel = ivec2(min(2, int(iResolution.x) - 1), 0);
+    bool steered = texelFetch(iChannel3, sizeTexel, 0).xy == iResolution.xy;
     bool restart = iFrame == 0 || (steered && orbit.w > 0.0);
     orbit = steered ? orbit : CAMERA_ORBIT;
     vec4 mean = restart ? vec4(0.0) : texelFetch(iChannel0, ivec2(pixel), 0);
@@ -417,8 +418,9 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord)
     vec3 up = vec3(0.0);
     vec3 right = vec3(0.0);
     GetCameraVectors(orbit.xyz, CAMERA_AT, eye, forward, up, right);
-    Camera cam = createCamera(eye, CAMERA_AT, up, CAMERA_FOVY, iResolution.x / iResolution.y, CAMERA_APERTURE,
-                              CAMERA_FOCUS, 0.0, 1.0);
+    Camera cam = createCameraFromVectors(eye, right, up, -forward, orbit.z, OPAQUE(CAMERA_FOVY),
+                                         iResolution.x / iResolution.y, OPAQUE(CAMERA_APERTURE),
+                                         OPAQUE(CAMERA_FOCUS), 0.0, 1.0);
     for (int i = 0; i < SAMPLES_PER_FRAME; i++) {
         uvec3 stream = uvec3(pixel, uint(iFrame * SAMPLES_PER_FRAME + i));
         vec4 xi = random4(stream, DIMENSION_LENS);

@@ -47,8 +47,9 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord)
 {
     ivec2 texel = ivec2(fragCoord);
     vec4 orbit = texelFetch(iChannel0, ivec2(0, 0), 0);
-    vec4 mouse = texelFetch(iChannel0, ivec2(1, 0), 0);
-    vec4 size = texelFetch(iChannel0, ivec2(2, 0), 0);
+    int last = int(iResolution.x) - 1;
+    vec4 mouse = texelFetch(iChannel0, ivec2(min(1, last), 0), 0);
+    vec4 size = texelFetch(iChannel0, ivec2(min(2, last), 0), 0);
 
     float scene = float(SCENE_NAME) + 1.0;
     bool fresh = iFrame == 0 || mouse.w != scene;

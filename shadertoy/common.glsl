@@ -5,7 +5,7 @@
 //
 // The arithmetic is shaped so that a CPU can repeat it bit for bit: no sin, cos, exp, log or pow built-ins, no product
 // of three factors or sum of three terms that ends in a literal (Mesa moves the literal), no a*b + a*c (Mesa factors
-// it), no chain of four.
+// it), no (a + b) - a, no square of a square root (Mesa cancels them), no mix between literals, no chain of four.
 
 #define COMMON_GLSL
 
@@ -311,7 +311,7 @@ vec4 random4(uvec3 stream, uint dimension)
     return vec4(uvec4(first, second) >> 8u) * 5.96046448e-8;
 #else
     float seed = float(hash32(stream.x + hash32(stream.y + hash32(stream.z))) >> 8u) * 5.96046448e-8;
-    vec4 seeds = vec4(0.1, 0.2, 0.3, 0.4) + (seed + 0.4 * float(dimension));
+    vec4 seeds = seed + 0.1 * (vec4(1.0, 2.0, 3.0, 4.0) + 4.0 * float(dimension));
     uvec4 bits = floatBitsToUint(seeds);
     return vec4(uvec4(hash32(bits.x), hash32(bits.y), hash32(bits.z), hash32(bits.w)) >> 8u) * 5.96046448e-8;
 #endif
@@ -449,8 +449,18 @@ vec3 directionOr(vec3 v, vec3 otherwise)
     return length2 > 1.0e-12 ? v * inversesqrt(length2) : otherwise;
 }
 
-// fovy in degrees, clamped to [0.01, 179]; aperture is the lens diameter. An up vector along the view is replaced by
-// an axis that isn't, an eye at its target looks along -z.
+// From an orthonormal frame: right, up, backwards. planeDist is the distance to the target, fovy is in degrees, clamped
+// to [0.01, 179], aperture is the lens diameter.
+Camera createCameraFromVectors(vec3 eye, vec3 right, vec3 up, vec3 back, float planeDist, float fovy, float aspect,
+                               float aperture, float focusDist, float time0, float time1)
+{
+    vec2 sc = sinCosTurn(clamp(fovy, 0.01, 179.0) * 0.00138888889);
+    float height = (2.0 * planeDist) * (sc.x / sc.y);
+    return Camera(eye, right, up, back, vec2(aspect * height, height), planeDist, 0.5 * aperture, focusDist, time0,
+                  time1);
+}
+
+// An up vector along the view is replaced by an axis that isn't, an eye at its target looks along -z.
 Camera createCamera(vec3 eye, vec3 at, vec3 worldUp, float fovy, float aspect, float aperture, float focusDist,
                     float time0, float time1)
 {
@@ -458,11 +468,8 @@ Camera createCamera(vec3 eye, vec3 at, vec3 worldUp, float fovy, float aspect, f
     vec3 n = directionOr(back, vec3(0.0, 0.0, 1.0));
     vec3 spare = abs(n.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, -1.0);
     vec3 u = directionOr(cross(worldUp, n), normalize(cross(spare, n)));
-    vec3 v = cross(n, u);
-    float planeDist = max(length(back), 1.0e-6);
-    vec2 sc = sinCosTurn(clamp(fovy, 0.01, 179.0) * 0.00138888889);
-    float height = 2.0 * planeDist * (sc.x / sc.y);
-    return Camera(eye, u, v, n, vec2(aspect * height, height), planeDist, 0.5 * aperture, focusDist, time0, time1);
+    return createCameraFromVectors(eye, u, cross(n, u), n, max(length(back), 1.0e-6), fovy, aspect, aperture,
+                                   focusDist, time0, time1);
 }
 
 // Orbit around `at`: azimuth in turns from +z towards +x, elevation in turns from straight below, and distance.
@@ -634,14 +641,14 @@ vec3 F_Schlick(vec3 F0, float VoH)
 }
 
 // Fresnel's equations, unpolarised light, from air into a metal of complex index eta + i k.
-vec3 fresnelConductor(float cosine, vec3 eta, vec3 k)
+// The squares are what it takes, so that no square root is squared.
+vec3 fresnelConductor(float cosine, vec3 eta2, vec3 k2)
 {
     float c = clamp(cosine, 0.0, 1.0);
     float c2 = c * c;
     float s2 = 1.0 - c2;
-    vec3 difference = (eta * eta - k * k) - s2;
-    vec3 twice = 2.0 * (eta * k);
-    vec3 modulus = sqrt(difference * difference + twice * twice);
+    vec3 difference = (eta2 - k2) - s2;
+    vec3 modulus = sqrt(difference * difference + 4.0 * (eta2 * k2));
     vec3 root = sqrt(max(0.5 * (modulus + difference), 0.0));
     vec3 sum1 = modulus + c2;
     vec3 product1 = (2.0 * c) * root;
@@ -658,11 +665,11 @@ vec3 F_Gulbrandsen(vec3 F0, vec3 edge, float VoH)
 {
     vec3 r = clamp(F0, 0.0, 0.999);
     vec3 root = sqrt(r);
-    vec3 eta = mix((1.0 + root) / (1.0 - root), (1.0 - r) / (1.0 + r), edge);
+    vec3 eta = (1.0 - edge) * ((1.0 + root) / (1.0 - root)) + edge * ((1.0 - r) / (1.0 + r));
     vec3 above = eta + 1.0;
     vec3 below = eta - 1.0;
     vec3 k2 = (r * (above * above) - below * below) / (1.0 - r);
-    return fresnelConductor(VoH, eta, sqrt(max(k2, 0.0)));
+    return fresnelConductor(VoH, eta * eta, max(k2, 0.0));
 }
 
 vec3 fresnelMetal(vec3 F0, vec3 edge, float VoH)
@@ -968,7 +975,7 @@ float glossProbability(Material m, float NoV)
     float gloss = F_Schlick(m.specColor, NoV).x;
 #else
     float E = glossAlbedo(NoV, m.roughness);
-    float base = (1.0 - E) * dot(m.albedo, vec3(0.333333333));
+    float base = (1.0 - E) * (0.333333333 * (m.albedo.r + (m.albedo.g + m.albedo.b)));
     float gloss = E / (E + base);
 #endif
     return clamp(gloss, 0.05, 0.95);

@@ -1,10 +1,11 @@
 // Path tracer, Image: exposure, tone, sRGB. The entry file.
 //
-// On shadertoy.com, each file pasted unmodified:
-//   Common    a file of scenes/, then common.glsl
-//   Buffer A  the same file of scenes/, then P3D_RT.glsl   iChannel0 = Buffer A
-//   Image     image.glsl                                   iChannel0 = Buffer A
-// In VS Code open this file and run "Shader Toy: Show GLSL Preview". Another scene: -D SCENE=n, or scenes/select.glsl.
+// On shadertoy.com, each file pasted unmodified (NAME is weekend, fuzzy_refraction, metal_roughness, plastic, cornell):
+//   Common    scenes/NAME.glsl, then common.glsl
+//   Buffer A  scenes/NAME.glsl, then P3D_RT.glsl   iChannel0 Buffer A, 1 and 2 cubemaps (all but weekend), 3 Buffer B
+//   Buffer B  camera.glsl                          iChannel0 Buffer B; optional, for the mouse
+//   Image     image.glsl                           iChannel0 Buffer A
+// In VS Code open this file and run "Shader Toy: Show GLSL Preview"; scenes/select.glsl says which scene.
 
 #ifdef SHADER_TOY
 #iChannel0 "P3D_RT.glsl"
@@ -45,9 +46,8 @@ vec3 toneMap(vec3 c)
 #elif TONE_CURVE == 1
     return c / (1.0 + dot(c, vec3(0.2126, 0.7152, 0.0722)));
 #elif TONE_CURVE == 2
-    // Narkowicz 2016, "ACES Filmic Tone Mapping Curve".
-    vec3 x = 0.6 * c;
-    return (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14);
+    // Narkowicz 2016, "ACES Filmic Tone Mapping Curve", its factor 0.6 of exposure multiplied out.
+    return (c * (0.9036 * c + 0.018)) / (c * (0.8748 * c + 0.354) + 0.14);
 #else
     // Khronos 2024, "PBR Neutral Tone Mapper": 0.04 of Fresnel reflection is taken off, values from 0.76 on approach 1,
     // and what would have been brighter loses saturation.
@@ -82,6 +82,6 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord)
     return;
 #endif
 #endif
-    float exposure = portableExp2(EXPOSURE + SCENE_EXPOSURE);
+    float exposure = portableExp2(OPAQUE(EXPOSURE + SCENE_EXPOSURE));
     fragColor = vec4(encode(toneMap(exposure * mean)), 1.0);
 }

@@ -64,7 +64,7 @@ Material scene_material(int primitive, vec3 pos)
         return createDiffuseMaterial(vec3(0.7));
     }
     float i = float(primitive - 4);
-    return createDielectricMaterial(vec3(0.0, 0.5, 1.0), 1.1, i * 0.166666667 * FUZZY);
+    return createDielectricMaterial(vec3(0.0, 0.5, 1.0), 1.1, i * (0.166666667 * FUZZY));
 }
 
 #endif
