@@ -28,7 +28,12 @@ class FileLoader {
     for (std::size_t i = 0; i < project_.passes.size(); ++i) {
       const bool strict = flags_[static_cast<std::size_t>(order_[i])].strict;
       project_.passes[i].keyboard = keyboard;
-      wrap_pass(project_, project_.passes[i], {.keyboard = keyboard, .strict = strict, .local = true});
+      wrap_pass(project_, project_.passes[i],
+                {.keyboard = keyboard,
+                 .strict = strict,
+                 .local = true,
+                 .zero_outputs = options_.zero_outputs,
+                 .vr = options_.vr});
     }
     return std::move(project_);
   }
@@ -50,8 +55,10 @@ class FileLoader {
     pass.kind = PassKind::buffer;
     Body body;
     append_defines(options_, body);
+    const std::size_t code = body.size();
     std::vector<PlacedDirective> directives;
     texts_.append(file, body, directives);
+    pass.code = body.text().substr(code);
     flags_[static_cast<std::size_t>(index)] = apply_directives(project_, directives);
     bind_channels(
         {.project = project_,

@@ -57,7 +57,10 @@ class FolderLoader {
     for (std::size_t i = 0; i < project_.passes.size(); ++i) {
       project_.passes[i].keyboard = keyboard;
       wrap_pass(project_, project_.passes[i],
-                {.keyboard = keyboard, .strict = flags_[i].strict, .local = false});
+                {.keyboard = keyboard,
+                 .strict = flags_[i].strict,
+                 .zero_outputs = options_.zero_outputs,
+                 .vr = options_.vr});
     }
     return std::move(project_);
   }
@@ -96,10 +99,14 @@ class FolderLoader {
     append_defines(options_, body);
     std::vector<PlacedDirective> directives;
     if (!common.empty()) {
+      const std::size_t start = body.size();
       texts_.append(common, body, directives);
       texts_.skip(common);
+      project_.common = body.text().substr(start);
     }
+    const std::size_t code = body.size();
     texts_.append(file, body, directives);
+    pass.code = body.text().substr(code);
     for (const PlacedDirective& at : directives)
       if (project_.dialect == Dialect::shadertoy && at.directive.channel > 3)
         fail_at(ExitStatus::shader, at.file, at.directive.line, "shadertoy.com has the channels 0 to 3");

@@ -13,6 +13,8 @@ namespace shadertwin {
 // Whose rules hold: shadertoy.com's or those of the VS Code extension "Shader Toy".
 enum class Dialect { shadertoy, vscode };
 
+// A cubemap pass is drawn once for each face, with the uniform int `shadertwin_face` from 0 to 5 (+X -X +Y -Y
+// +Z -Z), pixel (x, y) into the face's texel (x, y).
 enum class PassKind { image, buffer, cubemap, sound };
 
 enum class MinFilter {
@@ -51,10 +53,16 @@ struct Input {
   InputKind kind = InputKind::none;
   Sampler sampler;
   std::vector<std::filesystem::path> files;
-  int pass = -1;  // index into Project::passes when kind is pass
+  int pass = -1;          // index into Project::passes when kind is pass
+  bool red_only = false;  // a texture of one channel: r is the picture's grey, g = b = 0, a = 1
 };
 
 constexpr int max_channels = 10;  // shadertoy.com declares 4 of them, the extension all
+
+// A sound pass is drawn in blocks of sound_block_side * sound_block_side samples, one a pixel, rows from the
+// bottom: left in r, right in g, as the shader gives them. A block's first sample has the number
+// iSampleOffset and the time iTimeOffset (seconds).
+constexpr int sound_block_side = 512;
 
 // Where a line of a shader came from. `file` indexes Project::files; -1 is text that the host supplied.
 struct SourceLine {
@@ -75,9 +83,11 @@ struct PassSource {
 
 struct Pass {
   std::string name;  // "Image", "Buffer A" ...; for the extension the file's stem
+  std::string code;  // the user's own text: the body without defines and Common
   PassKind kind = PassKind::image;
   PassSource source;
   std::array<Input, max_channels> inputs;
+  bool has_vr = false;    // it defines mainVR
   bool keyboard = false;  // the extension's iKeyboard is bound: 256x4, rows held, pressed, toggled, released
 };
 
@@ -99,11 +109,16 @@ struct CustomUniform {
 
 struct Project {
   Dialect dialect = Dialect::shadertoy;
+  std::string title;         // from a JSON; else empty
+  std::string common;        // the text of the Common tab
   std::vector<Pass> passes;  // in drawing order; the last one is the picture
   std::vector<CustomUniform> uniforms;
   bool first_person_controls = false;  // iViewMatrix follows the keys and the mouse
-  std::vector<std::string> files;      // every text file the sources came from, as the user would name it
-  std::vector<std::string> warnings;   // `file:line: warning: text`
+  // Every text that the sources came from, as the user would name it: a path; for a JSON its path, a colon
+  // and the pass's name.
+  std::vector<std::string> files;
+  std::vector<std::string> warnings;  // `file:line: warning: text`
+  std::string json;                   // the document that the project was read from; else empty
 };
 
 struct LoadOptions {
@@ -111,6 +126,13 @@ struct LoadOptions {
   std::vector<std::pair<std::string, std::string>> defines = {};
   // Whose rules hold. Not given: a file has those of the extension, a folder those of shadertoy.com.
   std::optional<Dialect> dialect = {};
+  // Where the media are that a JSON names: "/media/a/x.jpg" is <media>/media/a/x.jpg or <media>/x.jpg. Empty:
+  // the JSON's own folder. Nothing outside of it is opened.
+  std::filesystem::path media = {};
+  // `out` parameters start as zero, as in browsers. Off to find shaders that rely on it.
+  bool zero_outputs = true;
+  // The picture is mainVR() for two eyes side by side, if the shader has one.
+  bool vr = false;
 };
 
 // Loads a .glsl/.frag file (VS Code dialect) or a folder of Shadertoy tabs: image.glsl and any of
@@ -118,6 +140,10 @@ struct LoadOptions {
 // or by shadertoy.json in the folder (tabs_settings.h says how). Throws Error(file) for what can't be read,
 // Error(shader) for a malformed directive, an include that goes in a circle or a pass without an entry point,
 // and Error(usage) for an impossible define. Messages have the form `file:line: error: text`.
+// A .json file is a shader as Shadertoy's API (`{"Shader": ...}`), the site (`[...]`) or an export of a
+// profile
+// (`{"shaders": [...]}`) gives it; of several the first is taken. Media that are not there are a warning and
+// an empty channel.
 Project load_project(const std::filesystem::path& shader, const LoadOptions& options = {});
 
 // Index of the pass that the user calls `name`: as Pass::name, or without case, spaces and underscores

@@ -16,7 +16,9 @@ namespace {
 
 constexpr std::uintmax_t max_bytes = std::uintmax_t{64} << 20;
 
-std::string with_unix_line_ends(const std::string& raw) {
+}  // namespace
+
+std::string unix_text(const std::string& raw) {
   std::string text;
   text.reserve(raw.size());
   for (std::size_t i = raw.starts_with("\xEF\xBB\xBF") ? 3 : 0; i < raw.size(); ++i) {
@@ -29,8 +31,6 @@ std::string with_unix_line_ends(const std::string& raw) {
   }
   return text;
 }
-
-}  // namespace
 
 std::string read_text(const fs::path& file) {
   const std::string name = display_name(file);
@@ -49,7 +49,7 @@ std::string read_text(const fs::path& file) {
   std::string raw = std::move(content).str();
   if (raw.find('\0') != std::string::npos)
     throw Error(ExitStatus::file, name + ": error: is not a text file");
-  return with_unix_line_ends(raw);
+  return unix_text(raw);
 }
 
 std::string display_name(const fs::path& file) {

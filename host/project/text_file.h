@@ -10,6 +10,9 @@ namespace shadertwin {
 // be read, is not text, or is over 64 MiB.
 std::string read_text(const std::filesystem::path& file);
 
+// `raw` with "\n" for every line end and without a byte order mark.
+std::string unix_text(const std::string& raw);
+
 // `file` as a user would name it: relative to the working folder if it lies below it, else absolute.
 std::string display_name(const std::filesystem::path& file);
 

@@ -1,41 +1,17 @@
 #include "host/project/wrapper.h"
 
+#include <optional>
+
 #include "host/base/error.h"
+#include "host/project/browser_text.h"
+#include "host/project/entry_points.h"
 #include "host/project/keyboard_text.h"
+#include "host/project/main_text.h"
 #include "host/project/tokens.h"
 
 namespace shadertwin {
 
 namespace {
-
-// The user's own `void main() {` or `void main(void) {`.
-bool defines_main(const std::vector<Token>& tokens) {
-  for (std::size_t i = 0; i + 3 < tokens.size(); ++i) {
-    if (!tokens[i].is("main") || !tokens[i + 1].is("(")) continue;
-    std::size_t after = i + 2;
-    if (tokens[after].is("void")) ++after;
-    if (after + 1 < tokens.size() && tokens[after].is(")") && tokens[after + 1].is("{")) return true;
-  }
-  return false;
-}
-
-bool defines_macro(const std::vector<Token>& tokens, std::string_view name) {
-  for (std::size_t i = 2; i < tokens.size(); ++i)
-    if (tokens[i].is(name) && tokens[i - 1].is("define") && tokens[i - 2].is("#")) return true;
-  return false;
-}
-
-// A global `out TYPE NAME;` of the user's, which takes the place of the host's.
-bool declares_output(const std::vector<Token>& tokens) {
-  int depth = 0;
-  for (std::size_t i = 0; i < tokens.size(); ++i) {
-    if (tokens[i].preprocessor) continue;
-    if (tokens[i].is("{") || tokens[i].is("(")) ++depth;
-    if (tokens[i].is("}") || tokens[i].is(")")) --depth;
-    if (tokens[i].is("out") && depth == 0) return true;
-  }
-  return false;
-}
 
 std::string_view glsl_name(UniformType type) {
   switch (type) {
@@ -74,9 +50,10 @@ class Head {
  public:
   Head(const std::vector<Token>& tokens) : tokens_(tokens) {}
 
-  void line(std::string_view text) { text_.append(text) += '\n'; }
+  void line(std::string_view line) { text_.append(line) += '\n'; }
+  void text(std::string_view lines) { text_ += lines; }
   // A uniform, unless the user's text declares it as well.
-  void uniform(std::string_view type, const std::string& name, int count = 1) {
+  void uniform(const std::string_view type, const std::string& name, int count = 1) {
     if (declares(tokens_, name)) return;
     const std::string size = count > 1 ? "[" + std::to_string(count) + "]" : "";
     line("uniform " + std::string(type) + " " + name + size + ";");
@@ -150,54 +127,69 @@ void add_vscode(Head& head, const Project& project, const Pass& pass, const Wrap
   if (head.wanted("saturate")) head.line("#define saturate(a) clamp(a, 0.0, 1.0)");
   add_legacy_names(head);
   for (const CustomUniform& uniform : project.uniforms) head.uniform(glsl_name(uniform.type), uniform.name);
-  if (options.keyboard) head.line(keyboard_text());
+  if (options.keyboard) head.text(keyboard_text());
 }
 
 void add_shadertoy(Head& head, const Project& project, const Pass& pass) {
   head.line("#define HW_PERFORMANCE 1");
-  add_common_uniforms(head);
-  head.uniform("float", "iFrameRate");
-  head.uniform("float", "iChannelTime", 4);
+  if (pass.kind == PassKind::sound) {
+    head.uniform("float", "iTimeOffset");
+    head.uniform("int", "iSampleOffset");
+    head.uniform("vec4", "iDate");
+    head.uniform("float", "iSampleRate");
+  } else {
+    add_common_uniforms(head);
+    head.uniform("float", "iFrameRate");
+    head.uniform("float", "iChannelTime", 4);
+  }
   add_channels(head, project, pass, 4);
+  for (int i = 0; i < 4 && pass.kind == PassKind::image; ++i) {
+    const std::string name = "iCh" + std::to_string(i);
+    if (head.wanted(name))
+      head.uniform("struct { " +
+                       std::string(sampler_name(project, pass.inputs[static_cast<std::size_t>(i)])) +
+                       " sampler; vec3 size; float time; int loaded; }",
+                   name);
+  }
   for (const CustomUniform& uniform : project.uniforms) head.uniform(glsl_name(uniform.type), uniform.name);
 }
 
-// shadertoy.com shows a picture without alpha; everything else keeps it.
-std::string image_main(bool opaque) {
-  return std::string(
-             "void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, "
-             "gl_FragCoord.xy); ") +
-         "shadertoy_out_color = " + (opaque ? "vec4(shadertoy_color.rgb, 1.0)" : "shadertoy_color") + "; }\n";
-}
-
-// `mainImage(out vec4` becomes `mainImage(inout vec4`, so that what the wrapper put into the colour is there
-// where the shader does not write it. Browsers zero every `out` parameter; drivers leave garbage.
-std::string with_inout_entry(const std::string& body, const std::vector<Token>& tokens) {
-  std::string result;
-  std::size_t copied = 0;
-  for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
-    if (!tokens[i].is("mainImage") || !tokens[i + 1].is("(") || !tokens[i + 2].is("out")) continue;
-    result.append(body, copied, tokens[i + 2].begin - copied).append("in");
-    copied = tokens[i + 2].begin;
-  }
-  return result.append(body, copied);
-}
-
-[[noreturn]] void fail_without_entry(const Project& project, const Pass& pass) {
+[[noreturn]] void fail_without_entry(const Project& project, const Pass& pass, const char* entry) {
   // The pass's own file is the one that its last line is from.
   const int file = pass.source.lines.empty() ? -1 : pass.source.lines.back().file;
   const std::string name = file < 0 ? pass.name : project.files[static_cast<std::size_t>(file)];
-  throw Error(ExitStatus::shader, name + ":1: error: there is no mainImage(out vec4, in vec2) and no main()");
+  throw Error(ExitStatus::shader, name + ":1: error: there is no " + entry);
+}
+
+// main() for the kind of pass; none if it is the user's own.
+std::optional<MainText> choose_main(const Project& project, const Pass& pass, const EntryPoints& entry,
+                                    const WrapOptions& options, bool asserts) {
+  const bool opaque = project.dialect == Dialect::shadertoy && pass.kind == PassKind::image;
+  if (pass.kind == PassKind::sound) {
+    if (!entry.sound) fail_without_entry(project, pass, "mainSound(in int, float)");
+    return sound_main(entry.sound_of_time);
+  }
+  if (pass.kind == PassKind::cubemap) {
+    if (!entry.cubemap) fail_without_entry(project, pass, "mainCubemap(out vec4, in vec2, in vec3, in vec3)");
+    return cubemap_main();
+  }
+  if (options.vr && entry.vr && pass.kind == PassKind::image) return vr_main(opaque);
+  if (entry.image && (!entry.main || options.strict))
+    return image_main(opaque, asserts, entry.image_is_inout);
+  if (!entry.main) fail_without_entry(project, pass, "mainImage(out vec4, in vec2) and no main()");
+  return std::nullopt;
 }
 
 }  // namespace
 
 void wrap_pass(const Project& project, Pass& pass, const WrapOptions& options) {
+  pass.source.body = as_in_a_browser(pass.source.body, options.zero_outputs);
   const std::vector<Token> tokens = tokenize(pass.source.body);
+  const EntryPoints entry = find_entry_points(tokens);
   const bool shadertoy = project.dialect == Dialect::shadertoy;
-  const bool has_image = mentions(tokens, "mainImage");
-  const bool has_main = defines_main(tokens);
-  if (!has_image && !has_main) fail_without_entry(project, pass);
+  const bool asserts = shadertoy && pass.kind == PassKind::image && mentions(tokens, "st_assert");
+  pass.has_vr = entry.vr;
+  const std::optional<MainText> main = choose_main(project, pass, entry, options, asserts);
 
   Head head(tokens);
   add_version(head);
@@ -206,23 +198,18 @@ void wrap_pass(const Project& project, Pass& pass, const WrapOptions& options) {
     add_shadertoy(head, project, pass);
   else
     add_vscode(head, project, pass, options);
-  if (!declares_output(tokens)) head.line("layout(location = 0) out vec4 shadertoy_out_color;");
+  if (!entry.output) head.line("layout(location = 0) out vec4 shadertoy_out_color;");
+  if (asserts) head.text(assert_text());
+  if (!main && shadertoy) head.line("#define gl_FragColor shadertoy_out_color");
 
+  // On shadertoy.com main() comes first; a macro called mainImage only works for a main() behind it.
   pass.source.tail.clear();
-  const bool macro_entry = defines_macro(tokens, "mainImage");
-  pass.source.body = with_inout_entry(pass.source.body, tokens);  // the tokens end here
-  if (has_image && (!has_main || options.strict)) {
-    const std::string main = image_main(shadertoy && pass.kind == PassKind::image);
-    // A macro called mainImage only works for a main() behind it.
-    if (shadertoy && !macro_entry) {
-      head.line("void mainImage(inout vec4, in vec2);");
-      pass.source.head = head.take() + main;
-      return;
-    }
-    pass.source.tail = main;
-  } else if (shadertoy) {
-    head.line("#define gl_FragColor shadertoy_out_color");
-  }
+  if (main && shadertoy && !entry.image_is_macro)
+    head.text(main->prototype + main->main);
+  else if (main && pass.kind != PassKind::image && pass.kind != PassKind::buffer)
+    pass.source.tail = main->prototype + main->main;
+  else if (main)
+    pass.source.tail = main->main;
   pass.source.head = head.take();
 }
 

@@ -9,10 +9,13 @@ struct WrapOptions {
   bool keyboard = false;  // the extension's key names and functions
   bool strict = false;    // #StrictCompatibility: main() is the host's even if the user's text has one
   bool local = false;     // SHADER_TOY is defined: the text was written for a local host
+  bool zero_outputs = true;
+  bool vr = false;  // the picture is mainVR's, if there is one
 };
 
-// Fills the head and tail of pass.source around its body; everything else of project and pass is final by
-// then. Throws Error(shader) if the body has no entry point.
+// Fills the head and tail of pass.source around its body and has_vr, and makes the body one that every
+// compiler takes (browser_text.h); everything else of project and pass is final by then. Throws Error(shader)
+// if the body has no entry point.
 void wrap_pass(const Project& project, Pass& pass, const WrapOptions& options);
 
 }  // namespace shadertwin

@@ -1,0 +1,22 @@
+// Browsers' WebGL2 takes some texts that native compilers of the same GLSL ES 3.00 refuse, and gives zero
+// where they give anything. This rewrites such a text so that both read it alike.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace shadertwin {
+
+// No line is added or taken away. What changes:
+// - identifiers that are words of the language only in later versions (`buffer`, `shared`, `packed`,
+// `precise`,
+//   `dmat3` ...), and functions named as built-ins of later versions (`fma`, `bitCount` ...) or of GLSL
+//   ES 1.00
+//   (`texture2D` ...), get the prefix "shadertwin_";
+// - a function's parameter without a name gets one;
+// - what follows #else, #endif and the name of #ifdef or #ifndef is dropped, and so is a # in a macro's text;
+// - where a macro makes mainImage, its `out` becomes `inout`, so that it starts as the host sets it;
+// - with zero_outputs, an `out` parameter of a built-in type starts as zero.
+std::string as_in_a_browser(std::string_view text, bool zero_outputs);
+
+}  // namespace shadertwin

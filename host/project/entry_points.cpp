@@ -1,0 +1,52 @@
+#include "host/project/entry_points.h"
+
+namespace shadertwin {
+
+namespace {
+
+// `void main() {` or `void main(void) {`; i is at main.
+bool defines_main(const std::vector<Token>& tokens, std::size_t i) {
+  if (i + 3 >= tokens.size() || !tokens[i + 1].is("(")) return false;
+  std::size_t after = i + 2;
+  if (tokens[after].is("void")) ++after;
+  return after + 1 < tokens.size() && tokens[after].is(")") && tokens[after + 1].is("{");
+}
+
+// Whether what stands in the parentheses behind token i has a comma.
+bool has_two_parameters(const std::vector<Token>& tokens, std::size_t i) {
+  for (std::size_t k = i + 1; k < tokens.size() && !tokens[k].is(")"); ++k)
+    if (tokens[k].is(",")) return true;
+  return false;
+}
+
+}  // namespace
+
+EntryPoints find_entry_points(const std::vector<Token>& tokens) {
+  EntryPoints found;
+  int depth = 0;  // of braces and parentheses
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const Token& token = tokens[i];
+    if (!token.preprocessor) {
+      if (token.is("{") || token.is("(")) ++depth;
+      if (token.is("}") || token.is(")")) --depth;
+      if (token.is("out") && depth == 0) found.output = true;
+    }
+    if (token.kind != Token::Kind::identifier) continue;
+    if (token.is("main") && defines_main(tokens, i)) found.main = true;
+    if (token.is("mainImage")) {
+      found.image = true;
+      if (i + 2 < tokens.size() && tokens[i + 1].is("(") && tokens[i + 2].is("inout"))
+        found.image_is_inout = true;
+      if (i >= 2 && tokens[i - 1].is("define") && tokens[i - 2].is("#")) found.image_is_macro = true;
+    }
+    if (token.is("mainCubemap")) found.cubemap = true;
+    if (token.is("mainVR")) found.vr = true;
+    if (token.is("mainSound")) {
+      found.sound = true;
+      if (i >= 1 && tokens[i - 1].is("vec2") && !has_two_parameters(tokens, i)) found.sound_of_time = true;
+    }
+  }
+  return found;
+}
+
+}  // namespace shadertwin
