@@ -10,6 +10,7 @@ Project load_project(const std::filesystem::path& shader, const LoadOptions& opt
   std::error_code problem;
   if (shader.empty()) throw Error(ExitStatus::usage, "no shader is given");
   if (std::filesystem::is_directory(shader, problem)) return load_folder(shader, options);
+  if (plain_name(shader.extension().string()) == ".json") return load_json(shader, options);
   return load_file(shader, options);
 }
 

@@ -1,0 +1,229 @@
+#include "host/project/json_inputs.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "host/base/error.h"
+#include "host/project/channels.h"
+#include "host/project/media.h"
+
+namespace shadertwin {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t max_inputs = 64;
+
+// The API's numbers for what the site calls by strings.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> site_ids = {{{"37", "4dfGRr"},
+                                                                                    {"257", "4dXGR8"},
+                                                                                    {"258", "XsXGR8"},
+                                                                                    {"259", "4sXGR8"},
+                                                                                    {"260", "XdfGR8"},
+                                                                                    {"41", "4dX3Rr"}}};
+constexpr std::array<std::string_view, 4> buffer_ids = {"4dXGR8", "XsXGR8", "4sXGR8", "XdfGR8"};
+// Textures of which the site keeps one channel.
+constexpr std::array<std::string_view, 4> red_ids = {"Xdf3zn", "4sf3Rn", "4dXGzn", "4sf3Rr"};
+
+// An id is a number or a string.
+std::string read_id(const Json& object) {
+  const auto id = object.find("id");
+  if (id == object.end()) return "";
+  const std::string text = id->is_string()           ? id->get<std::string>()
+                           : id->is_number_integer() ? id->dump()
+                                                     : "";
+  for (const auto& [number, name] : site_ids)
+    if (text == number) return std::string(name);
+  return text;
+}
+
+// A string under one of two names; "" if there is none.
+std::string either(const Json& object, const char* name, const char* other) {
+  for (const char* key : {name, other})
+    if (const auto found = object.find(key); found != object.end() && found->is_string())
+      return found->get<std::string>();
+  return "";
+}
+
+InputKind kind_of(const std::string& type) {
+  static constexpr std::array<std::pair<std::string_view, InputKind>, 10> kinds = {
+      {{"texture", InputKind::texture},
+       {"cubemap", InputKind::cubemap},
+       {"volume", InputKind::volume},
+       {"buffer", InputKind::pass},
+       {"keyboard", InputKind::keyboard},
+       {"music", InputKind::music},
+       {"musicstream", InputKind::music},
+       {"mic", InputKind::microphone},
+       {"webcam", InputKind::webcam},
+       {"video", InputKind::video}}};
+  for (const auto& [name, kind] : kinds)
+    if (name == type) return kind;
+  return InputKind::none;
+}
+
+bool is_true(const Json& value) {
+  return value.is_boolean() ? value.get<bool>() : value == "true";
+}
+
+Sampler read_sampler(const Json& input, InputKind kind) {
+  Sampler sampler = default_sampler(Dialect::shadertoy, kind);
+  const auto settings = input.find("sampler");
+  if (settings == input.end() || !settings->is_object()) return sampler;
+  const bool fixed = kind == InputKind::keyboard || kind == InputKind::music || kind == InputKind::microphone;
+  const std::string filter = either(*settings, "filter", "filter");
+  if (!filter.empty() && !fixed) {
+    sampler.mag = filter == "linear" || filter == "mipmap" ? MagFilter::linear : MagFilter::nearest;
+    sampler.min = filter == "linear"   ? MinFilter::linear
+                  : filter == "mipmap" ? MinFilter::linear_mipmap_linear
+                                       : MinFilter::nearest;
+  }
+  const std::string wrap = either(*settings, "wrap", "wrap");
+  if (!wrap.empty() && !fixed) sampler.wrap = wrap == "clamp" ? Wrap::clamp : Wrap::repeat;
+  if (const auto vflip = settings->find("vflip"); vflip != settings->end()) sampler.vflip = is_true(*vflip);
+  return sampler;
+}
+
+}  // namespace
+
+JsonPass identify(const Json& pass, PassKind kind, const std::string& document) {
+  JsonPass result;
+  result.kind = kind;
+  if (const auto outputs = pass.find("outputs"); outputs != pass.end() && !outputs->is_null()) {
+    need_array(*outputs, document, "outputs");
+    if (!outputs->empty()) result.output = read_id(need_object(outputs->front(), document, "an output"));
+  }
+  if (kind != PassKind::buffer) return result;
+  const auto known = std::find(buffer_ids.begin(), buffer_ids.end(), result.output);
+  if (known != buffer_ids.end()) {
+    result.letter = static_cast<char>('A' + (known - buffer_ids.begin()));
+  } else {
+    // "Buffer A", in old documents "Buf A".
+    const std::string name = either(pass, "name", "name");
+    if (name.starts_with("Buf") && name.size() > 4 && name.back() >= 'A' && name.back() <= 'D' &&
+        name[name.size() - 2] == ' ')
+      result.letter = name.back();
+  }
+  return result;
+}
+
+JsonInputs::JsonInputs(fs::path media, std::string document, std::vector<JsonPass> passes,
+                       std::vector<std::string>& warnings)
+    : media_(std::move(media)),
+      document_(std::move(document)),
+      passes_(std::move(passes)),
+      warnings_(warnings) {}
+
+void JsonInputs::fail(const std::string& message) const {
+  throw Error(ExitStatus::file, document_ + ": error: " + message);
+}
+
+void JsonInputs::warn(const std::string& subject, const std::string& message) {
+  if (warned_.insert(subject).second) warnings_.push_back(document_ + ": warning: " + message);
+}
+
+void JsonInputs::bind(const Json& json, Pass& pass) {
+  const auto inputs = json.find("inputs");
+  if (inputs == json.end() || inputs->is_null()) return;
+  need_array(*inputs, document_, "inputs");
+  if (inputs->size() > max_inputs) fail(pass.name + " has " + std::to_string(inputs->size()) + " inputs");
+  for (const Json& input : *inputs) {
+    need_object(input, document_, "an input");
+    const auto channel = input.find("channel");
+    if (channel == input.end() || !channel->is_number_integer() || *channel < 0 || *channel > 3)
+      fail("an input of " + pass.name + " has no channel from 0 to 3");
+    pass.inputs[channel->get<std::size_t>()] = read(input);
+  }
+}
+
+Input JsonInputs::read(const Json& json) {
+  const std::string type = either(json, "ctype", "type");
+  const std::string source = either(json, "src", "filepath");
+  const std::string id = read_id(json);
+  Input input;
+  input.kind = kind_of(type);
+  switch (input.kind) {
+    case InputKind::none:
+      warn("type " + type, "an input has the unknown type \"" + type + "\"");
+      return input;
+    case InputKind::pass:
+      input = read_pass(id, source, PassKind::buffer);
+      break;
+    case InputKind::cubemap:
+      if (id == "4dX3Rr" || source.starts_with("/media/previz/")) {
+        input = read_pass(id, source, PassKind::cubemap);
+        break;
+      }
+      [[fallthrough]];
+    case InputKind::texture:
+    case InputKind::volume:
+    case InputKind::music:
+    case InputKind::video:
+      find_media(source, input.kind, input);
+      break;
+    default:
+      break;
+  }
+  if (input.kind == InputKind::none) return input;
+  input.sampler = read_sampler(json, input.kind);
+  input.red_only =
+      input.kind == InputKind::texture && std::find(red_ids.begin(), red_ids.end(), id) != red_ids.end();
+  return input;
+}
+
+Input JsonInputs::read_pass(const std::string& id, const std::string& source, PassKind kind) {
+  Input input;
+  for (std::size_t i = 0; i < passes_.size() && input.pass < 0; ++i)
+    if (passes_[i].kind == kind && !id.empty() && passes_[i].output == id) input.pass = static_cast<int>(i);
+  // Without an id the thumbnail tells: buffer00.png is Buffer A.
+  const std::size_t digits = source.find("buffer0");
+  const char letter = digits != std::string::npos && digits + 7 < source.size()
+                          ? static_cast<char>('A' + (source[digits + 7] - '0'))
+                          : '\0';
+  for (std::size_t i = 0; i < passes_.size() && input.pass < 0; ++i)
+    if (passes_[i].kind == kind &&
+        (kind == PassKind::cubemap || (letter != 0 && passes_[i].letter == letter)))
+      input.pass = static_cast<int>(i);
+  if (input.pass >= 0)
+    input.kind = InputKind::pass;
+  else
+    warn("pass " + id + source, "an input reads a pass that is not there: " + (id.empty() ? source : id));
+  return input;
+}
+
+fs::path JsonInputs::find_one(const std::string& source, std::string& problem) const {
+  std::string below = source.substr(std::min(source.find_first_not_of('/'), source.size()));
+  const std::size_t slash = below.find_last_of('/');
+  if (below.empty()) {
+    problem = "has no file";
+    return {};
+  }
+  std::optional<fs::path> file = file_inside(media_, below, problem);
+  if (!file && problem.empty() && slash != std::string::npos)
+    file = file_inside(media_, below.substr(slash + 1), problem);
+  if (file && !fs::is_regular_file(*file)) file.reset();
+  if (!file && problem.empty()) problem = "is not in " + media_.generic_string();
+  return file.value_or(fs::path());
+}
+
+void JsonInputs::find_media(const std::string& source, InputKind kind, Input& input) {
+  const std::size_t faces = kind == InputKind::cubemap ? 6 : 1;
+  const std::size_t dot = std::min(source.rfind('.'), source.size());
+  for (std::size_t i = 0; i < faces; ++i) {
+    // The faces after the first are NAME_1.jpg to NAME_5.jpg.
+    const std::string name =
+        i == 0 ? source : source.substr(0, dot) + "_" + std::to_string(i) + source.substr(dot);
+    std::string problem;
+    const fs::path file = find_one(name, problem);
+    if (!problem.empty()) {
+      warn(name, "\"" + name + "\" " + problem + ": the channel stays empty");
+      input = {};
+      return;
+    }
+    input.files.push_back(file);
+  }
+}
+
+}  // namespace shadertwin
