@@ -296,6 +296,16 @@ vec3 directlighting(QuadLight ql, Ray r, HitRecord rec, vec2 xi)
 }
 #endif
 
+// Does direct light count here? In the report everything but glass has a highlight.
+bool isLit(Material m)
+{
+#if LIGHT_MODEL == 0
+    return isSampleable(m);
+#else
+    return m.type != DIELECTRIC;
+#endif
+}
+
 // All direct light at a hit. xi: a point of each quad light, and which point light.
 vec3 directlightingAll(Ray r, HitRecord rec, vec3 xi)
 {
@@ -356,7 +366,7 @@ vec3 rayColor(Ray r, uvec3 stream)
         uint dimension = DIMENSION_BOUNCE + BOUNCE_DIMENSIONS * uint(bounce);
         vec4 xi = random4(stream, dimension);
         vec4 xiLight = random4(stream, dimension + 1u);
-        if (isSampleable(rec.material)) {
+        if (isLit(rec.material)) {
             col += throughput * directlightingAll(ray, rec, xiLight.xyz);
         }
 
