@@ -97,7 +97,7 @@ struct array {
     return elements[clamp_index(index, N)];
   }
   constexpr int length() const { return N; }
-  constexpr bool operator==(const array&) const = default;
+  bool operator==(const array&) const = default;
 };
 
 // v[i] and m[i] for an index that is no constant: component or column.
