@@ -1,0 +1,244 @@
+#include "reference/emit/cpp_context.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace shadertwin::emit {
+
+using namespace glslang;
+
+namespace {
+
+class TypeCollector : public TIntermTraverser {
+ public:
+  std::vector<const TType*> types;
+
+  void visitSymbol(TIntermSymbol* node) override { types.push_back(&node->getType()); }
+  void visitConstantUnion(TIntermConstantUnion* node) override { types.push_back(&node->getType()); }
+  bool visitBinary(TVisit, TIntermBinary* node) override { return note(*node); }
+  bool visitUnary(TVisit, TIntermUnary* node) override { return note(*node); }
+  bool visitAggregate(TVisit, TIntermAggregate* node) override { return note(*node); }
+  bool visitSelection(TVisit, TIntermSelection* node) override { return note(*node); }
+
+ private:
+  bool note(const TIntermTyped& node) {
+    types.push_back(&node.getType());
+    return true;
+  }
+};
+
+template <class T>
+std::string shortest(T value) {
+  std::array<char, 40> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  std::string text(buffer.data(), result.ptr);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string matrix_name(const TType& type) {
+  const std::string columns = std::to_string(type.getMatrixCols());
+  const std::string rows = std::to_string(type.getMatrixRows());
+  return columns == rows ? "mat" + columns : "mat" + columns + "x" + rows;
+}
+
+const char* sampler_name(const TSampler& sampler) {
+  switch (sampler.dim) {
+    case Esd3D:
+      return "sampler3D";
+    case EsdCube:
+      return "samplerCube";
+    default:
+      return "sampler2D";
+  }
+}
+
+bool is_large(const TType& type) {
+  return type.isArray() || type.isStruct() || type.isMatrix();
+}
+
+}  // namespace
+
+std::string cpp_name(const std::string& glsl_name) {
+  return is_taken_in_cpp(glsl_name) ? glsl_name + '_' : glsl_name;
+}
+
+StructTable::StructTable(const Program& program) {
+  for (const TIntermSymbol* symbol : program.globals()) add(symbol->getType());
+  TypeCollector collector;
+  const_cast<TIntermAggregate&>(program.tree().root()).traverse(&collector);  // it has no const traversal
+  for (const TType* type : collector.types) add(*type);
+}
+
+int StructTable::find(const TType& type) const {
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (entries_[i].type->getStruct() == type.getStruct()) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+void StructTable::add(const TType& type) {
+  if (!type.isStruct() || find(type) >= 0) return;
+  for (const TTypeLoc& member : *type.getStruct()) add(*member.type);
+  const std::string name = type.getTypeName().c_str();
+  entries_.push_back({&type, names_.take(cpp_name(name.empty() ? "Anonymous" : name))});
+}
+
+const std::string& StructTable::name_of(const TType& type) const {
+  return entries_[find(type)].name;
+}
+
+CppContext::CppContext(const Program& program, const CppOptions& options)
+    : program_(program), options_(options), structs_(program) {
+  for (const StructTable::Entry& entry : structs_.entries()) names_.reserve(entry.name);
+  std::set<std::string> builtins;
+  for (const Function& function : program.functions()) {
+    functions_[function.name] = cpp_name(function.name);
+    names_.reserve(functions_[function.name]);
+    builtins.insert(function.builtins.begin(), function.builtins.end());
+  }
+  for (const std::string& name : builtins) names_.reserve(name);
+  for (const TIntermSymbol* symbol : program.globals()) {
+    if (symbol->getQualifier().isFrontEndConstant()) {
+      constants_[symbol->getName().c_str()] = symbol;
+      continue;
+    }
+    globals_[symbol->getId()] = names_.take(cpp_name(symbol->getName().c_str()));
+  }
+}
+
+std::string CppContext::type(const TType& type) const {
+  if (type.isArray()) {
+    const TType element(type, 0);
+    return "array<" + this->type(element) + ", " + std::to_string(type.getOuterArraySize()) + ">";
+  }
+  if (type.isStruct()) return structs_.name_of(type);
+  if (type.isMatrix()) return matrix_name(type);
+  const std::string size = type.isVector() ? std::to_string(type.getVectorSize()) : "";
+  switch (type.getBasicType()) {
+    case EbtFloat:
+      return type.isVector() ? "vec" + size : "Float";
+    case EbtInt:
+      return type.isVector() ? "ivec" + size : "int";
+    case EbtUint:
+      return type.isVector() ? "uvec" + size : "uint";
+    case EbtBool:
+      return type.isVector() ? "bvec" + size : "bool";
+    case EbtSampler:
+      return sampler_name(type.getSampler());
+    default:
+      return "void";
+  }
+}
+
+std::string CppContext::literal(double value) const {
+  const float narrow = static_cast<float>(value);
+  if (options_.double_precision ? !std::isfinite(value) : !std::isfinite(narrow)) {
+    if (std::isnan(value)) return "uintBitsToFloat(0x7fc00000u)";
+    return value > 0 ? "uintBitsToFloat(0x7f800000u)" : "uintBitsToFloat(0xff800000u)";
+  }
+  return options_.double_precision ? shortest(value) : shortest(narrow) + 'f';
+}
+
+std::string CppContext::global(const TIntermSymbol& symbol) const {
+  const auto found = globals_.find(symbol.getId());
+  return found == globals_.end() ? symbol.getName().c_str() : found->second;
+}
+
+std::string CppContext::function(const std::string& glsl_name) const {
+  const auto found = functions_.find(glsl_name);
+  return found == functions_.end() ? cpp_name(glsl_name) : found->second;
+}
+
+std::string CppContext::builtin(const std::string& glsl_name) const {
+  return cpp_name(glsl_name);
+}
+
+std::string CppContext::field(const TType& structure, int index) const {
+  return cpp_name((*structure.getStruct())[index].type->getFieldName().c_str());
+}
+
+std::string CppContext::value(const TType& type, const TConstUnionArray& values, int& at) const {
+  const auto joined = [&](int count, const auto& part) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += (i > 0 ? ", " : "") + part(i);
+    return text;
+  };
+  if (type.isArray()) {
+    const TType element(type, 0);
+    return this->type(type) + "{{" +
+           joined(type.getOuterArraySize(), [&](int) { return value(element, values, at); }) + "}}";
+  }
+  if (type.isStruct()) {
+    const TTypeList& members = *type.getStruct();
+    return this->type(type) + "{" +
+           joined(static_cast<int>(members.size()),
+                  [&](int i) { return value(*members[i].type, values, at); }) +
+           "}";
+  }
+  const auto scalar = [&](int) -> std::string {
+    const TConstUnion& number = values[at++];
+    switch (number.getType()) {
+      case EbtInt:
+        return number.getIConst() == -2147483647 - 1 ? "(-2147483647 - 1)"
+                                                     : std::to_string(number.getIConst());
+      case EbtUint:
+        return std::to_string(number.getUConst()) + 'u';
+      case EbtBool:
+        return number.getBConst() ? "true" : "false";
+      default:
+        return literal(number.getDConst());
+    }
+  };
+  const int count = type.isMatrix() ? type.getMatrixCols() * type.getMatrixRows() : type.getVectorSize();
+  if (!type.isMatrix() && !type.isVector()) return scalar(0);
+  bool all_equal = type.isVector();
+  for (int i = 1; i < count && all_equal; ++i) all_equal = values[at + i] == values[at];
+  std::string text = this->type(type) + "(";
+  if (all_equal && (values[at].getType() != EbtFloat || values[at].getDConst() != 0 ||
+                    !std::signbit(values[at].getDConst()))) {
+    text += scalar(0);
+    at += count - 1;
+  } else {
+    text += joined(count, scalar);
+  }
+  return text + ")";
+}
+
+std::string CppContext::named_constant(const TIntermConstantUnion& node) {
+  const SyntaxTree& tree = program_.tree();
+  const int token = tree.token_of(node);
+  const int declaration = tree.declarations().declaration_of(token);
+  if (declaration < 0 || !tree.declarations().is_const(declaration)) return {};
+  return tree.tokens()[declaration].text;
+}
+
+std::string CppContext::hoist(const std::string& wanted_name, const TType& type, const std::string& value) {
+  const std::string key = wanted_name + ' ' + value;
+  const auto found = hoisted_names_.find(key);
+  if (found != hoisted_names_.end()) return found->second;
+  const std::string name = names_.take(cpp_name(wanted_name));
+  hoisted_names_[key] = name;
+  hoisted_.push_back("const " + this->type(type) + " " + name + " = " + value + ";");
+  return name;
+}
+
+// A scalar may be the result of folding an expression that begins with a constant's name, so its value
+// decides.
+bool CppContext::is_global_constant(const std::string& name, const TIntermConstantUnion& node) const {
+  const auto found = constants_.find(name);
+  return found != constants_.end() && found->second->getType() == node.getType() &&
+         found->second->getConstArray() == node.getConstArray();
+}
+
+std::string CppContext::constant(const TIntermConstantUnion& node) {
+  int at = 0;
+  const std::string text = value(node.getType(), node.getConstArray(), at);
+  const std::string name = named_constant(node);
+  const bool named = !name.empty() && (is_large(node.getType()) || is_global_constant(name, node));
+  if (!named && !node.getType().isArray()) return text;
+  return hoist(named ? name : "constant", node.getType(), text);
+}
+
+}  // namespace shadertwin::emit

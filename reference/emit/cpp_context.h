@@ -1,0 +1,76 @@
+// What all functions of one C++ twin share: names, types and constants.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "reference/emit/emit_cpp.h"
+#include "reference/emit/names.h"
+#include "reference/emit/program.h"
+
+namespace shadertwin::emit {
+
+// Structures of a shader, each once, those that others hold first.
+class StructTable {
+ public:
+  struct Entry {
+    const glslang::TType* type = nullptr;
+    std::string name;
+  };
+
+  explicit StructTable(const Program& program);
+  const std::vector<Entry>& entries() const { return entries_; }
+  const std::string& name_of(const glslang::TType& type) const;
+
+ private:
+  void add(const glslang::TType& type);
+  int find(const glslang::TType& type) const;
+
+  std::vector<Entry> entries_;
+  NameScope names_;
+};
+
+class CppContext {
+ public:
+  CppContext(const Program& program, const CppOptions& options);
+
+  const Program& program() const { return program_; }
+  const CppOptions& options() const { return options_; }
+  const StructTable& structs() const { return structs_; }
+
+  // `vec3`, `Ray`, `array<Float, 4>` ...
+  std::string type(const glslang::TType& type) const;
+  std::string literal(double value) const;
+  std::string global(const glslang::TIntermSymbol& symbol) const;
+  std::string function(const std::string& glsl_name) const;
+  std::string builtin(const std::string& glsl_name) const;
+  std::string field(const glslang::TType& structure, int index) const;
+
+  // A constant's value, or the name of the hoisted constant that holds it.
+  std::string constant(const glslang::TIntermConstantUnion& node);
+  // A constant's value, written out.
+  std::string value(const glslang::TType& type, const glslang::TConstUnionArray& values, int& at) const;
+  // Declarations of the constants that constant() has hoisted, in the order of their first use.
+  const std::vector<std::string>& hoisted() const { return hoisted_; }
+
+ private:
+  std::string named_constant(const glslang::TIntermConstantUnion& node);
+  bool is_global_constant(const std::string& name, const glslang::TIntermConstantUnion& node) const;
+  std::string hoist(const std::string& wanted_name, const glslang::TType& type, const std::string& value);
+
+  const Program& program_;
+  CppOptions options_;
+  StructTable structs_;
+  NameScope names_;
+  std::map<SymbolId, std::string> globals_;
+  std::map<std::string, std::string> functions_;
+  std::map<std::string, const glslang::TIntermSymbol*> constants_;  // of the global scope
+  std::map<std::string, std::string> hoisted_names_;                // by wanted name and value
+  std::vector<std::string> hoisted_;
+};
+
+// `name`, or `name_` where C++ or the twin's library has taken it.
+std::string cpp_name(const std::string& glsl_name);
+
+}  // namespace shadertwin::emit

@@ -1,0 +1,332 @@
+#include "reference/emit/cpp_expression.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace shadertwin::emit {
+
+using namespace glslang;
+
+namespace {
+
+constexpr const char* component_names = "xyzw";
+
+bool is_integer(const TType& type) {
+  return type.getBasicType() == EbtInt || type.getBasicType() == EbtUint;
+}
+
+Binding above(Binding binding) {
+  return static_cast<Binding>(static_cast<int>(binding) + 1);
+}
+
+int constant_index(const TIntermTyped& node) {
+  const TConstUnion& value = node.getAsConstantUnion()->getConstArray()[0];
+  return value.getType() == EbtUint ? static_cast<int>(value.getUConst()) : value.getIConst();
+}
+
+// A divisor that C++ can divide by as it is: neither 0 nor -1.
+bool is_safe_divisor(const TIntermTyped& node) {
+  const TIntermConstantUnion* constant = node.getAsConstantUnion();
+  if (constant == nullptr) return false;
+  for (int i = 0; i < constant->getConstArray().size(); ++i) {
+    const TConstUnion& value = constant->getConstArray()[i];
+    if (value.getType() == EbtUint ? value.getUConst() == 0
+                                   : value.getIConst() == 0 || value.getIConst() == -1)
+      return false;
+  }
+  return true;
+}
+
+bool is_safe_shift(const TIntermTyped& node) {
+  const TIntermConstantUnion* constant = node.getAsConstantUnion();
+  if (constant == nullptr || !constant->getType().isScalar()) return false;
+  const TConstUnion& value = constant->getConstArray()[0];
+  return value.getType() == EbtUint ? value.getUConst() < 32
+                                    : value.getIConst() >= 0 && value.getIConst() < 32;
+}
+
+// The function that stands for an integer operator where C++'s own is undefined; null where it never is.
+const char* integer_function(TOperator op, const TIntermTyped& left, const TIntermTyped& right) {
+  if (!is_integer(left.getType())) return nullptr;
+  const bool both_scalar = left.getType().isScalar() && right.getType().isScalar();
+  switch (op) {
+    case EOpDiv:
+      return is_safe_divisor(right) && both_scalar ? nullptr : "divide";
+    case EOpMod:
+      return is_safe_divisor(right) && both_scalar ? nullptr : "modulo";
+    case EOpLeftShift:
+      return is_safe_shift(right) && both_scalar ? nullptr : "shift_left";
+    case EOpRightShift:
+      return is_safe_shift(right) && both_scalar ? nullptr : "shift_right";
+    default:
+      return nullptr;
+  }
+}
+
+}  // namespace
+
+std::string CppExpressions::value(const TIntermTyped& node) {
+  return expression(node).text;
+}
+
+std::vector<std::string> CppExpressions::take_prelude() {
+  return std::exchange(prelude_, {});
+}
+
+std::string CppExpressions::self_contained(const TIntermTyped& node) {
+  return enclosed(node, true).text;
+}
+
+std::string CppExpressions::self_contained_statement(const TIntermTyped& node) {
+  const TIntermAggregate* list = node.getAsAggregate();
+  if (list == nullptr || list->getOp() != EOpComma) return enclosed(node, false).text;
+  std::string text;
+  for (const TIntermNode* part : list->getSequence())
+    text += (text.empty() ? "" : ", ") + self_contained_statement(*part->getAsTyped());
+  return text;
+}
+
+CppExpressions::Text CppExpressions::enclosed(const TIntermTyped& node, bool wants_value) {
+  std::vector<std::string> outer = std::exchange(prelude_, {});
+  const bool has_value = wants_value && node.getBasicType() != EbtVoid;
+  const Text text = has_value ? expression(node) : Text{statement(node), Binding::comma};
+  const std::vector<std::string> inner = std::exchange(prelude_, std::move(outer));
+  if (inner.empty()) return text;
+  std::string lambda = has_value ? "[&]() -> " + context_.type(node.getType()) + " { " : "[&] { ";
+  for (const std::string& line : inner) lambda += line + ' ';
+  if (!text.text.empty()) lambda += (has_value ? "return " : "") + text.text + "; ";
+  return {lambda + "}()", Binding::postfix};
+}
+
+std::string CppExpressions::swizzle_target(const Swizzle& swizzle) {
+  std::string text;
+  for (const int component : swizzle.components)
+    text += (text.empty() ? "" : ", ") + std::to_string(component);
+  return "swizzle<" + text + ">(" + expression(*swizzle.base).text + ")";
+}
+
+std::string CppExpressions::statement(const TIntermTyped& node) {
+  if (const TIntermBinary* binary = node.getAsBinaryNode()) {
+    if (assignment_operator(binary->getOp()).sign != nullptr) return assignment(*binary, false).text;
+  }
+  if (const TIntermUnary* unary = node.getAsUnaryNode()) {
+    if (is_increment(unary->getOp())) return increment(*unary, false).text;
+  }
+  if (const TIntermAggregate* call = node.getAsAggregate()) return aggregate(*call, false).text;
+  return expression(node).text;
+}
+
+CppExpressions::Text CppExpressions::temporary(const TIntermTyped& node, const std::string& text) {
+  const std::string name = names_.take("tmp");
+  prelude_.push_back("const " + context_.type(node.getType()) + " " + name + " = " + text + ";");
+  return {name};
+}
+
+std::vector<CppExpressions::Text> CppExpressions::in_order(const std::vector<const TIntermTyped*>& operands) {
+  std::vector<const Effects*> effects;
+  for (const TIntermTyped* operand : operands) effects.push_back(&context_.program().effects(*operand));
+  std::vector<Text> texts;
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    Text text = expression(*operands[i]);
+    bool order_shows = false;
+    for (std::size_t j = i + 1; j < operands.size(); ++j)
+      order_shows |= effects[i]->conflicts_with(*effects[j]);
+    if (order_shows) text = temporary(*operands[i], text.text);
+    texts.push_back(text);
+  }
+  return texts;
+}
+
+std::string CppExpressions::arguments(const TIntermSequence& sequence) {
+  std::vector<const TIntermTyped*> operands;
+  for (const TIntermNode* node : sequence) operands.push_back(node->getAsTyped());
+  std::string text;
+  for (const Text& operand : in_order(operands))
+    text += (text.empty() ? "" : ", ") + operand.at_least(Binding::assignment);
+  return text;
+}
+
+CppExpressions::Text CppExpressions::expression(const TIntermTyped& node) {
+  if (const TIntermSymbol* name = node.getAsSymbolNode()) return symbol(*name);
+  if (const TIntermConstantUnion* constant = node.getAsConstantUnion()) {
+    const std::string text = context_.constant(*constant);
+    return {text, text[0] == '-' ? Binding::prefix : Binding::primary};
+  }
+  if (const TIntermBinary* operation = node.getAsBinaryNode()) return binary(*operation);
+  if (const TIntermUnary* operation = node.getAsUnaryNode()) return unary(*operation);
+  if (const TIntermSelection* choice = node.getAsSelectionNode()) return selection(*choice);
+  return aggregate(*node.getAsAggregate(), true);
+}
+
+CppExpressions::Text CppExpressions::symbol(const TIntermSymbol& node) {
+  const auto found = locals_.find(node.getId());
+  return {found != locals_.end() ? found->second : context_.global(node)};
+}
+
+CppExpressions::Swizzle CppExpressions::swizzle_of(const TIntermTyped& node) {
+  const TIntermBinary* binary = node.getAsBinaryNode();
+  std::vector<int> components;
+  if (binary != nullptr && binary->getOp() == EOpVectorSwizzle) {
+    for (const TIntermNode* selector : binary->getRight()->getAsAggregate()->getSequence())
+      components.push_back(constant_index(*selector->getAsTyped()));
+  } else if (binary != nullptr && binary->getOp() == EOpIndexDirect && binary->getLeft()->isVector() &&
+             !binary->getLeft()->isArray()) {
+    components.push_back(
+        std::clamp(constant_index(*binary->getRight()), 0, binary->getLeft()->getVectorSize() - 1));
+  } else {
+    return {&node, {}};
+  }
+  const Swizzle inner = swizzle_of(*binary->getLeft());
+  if (!inner.components.empty()) {
+    for (int& component : components) component = inner.components[component];
+  }
+  return {inner.base, components};
+}
+
+CppExpressions::Text CppExpressions::component(const Swizzle& swizzle) {
+  std::string text = expression(*swizzle.base).at_least(Binding::postfix) + '.';
+  for (const int component : swizzle.components) text += component_names[component];
+  if (swizzle.components.size() > 1) text += "()";
+  return {text, Binding::postfix};
+}
+
+CppExpressions::Text CppExpressions::index(const TIntermBinary& node) {
+  const TIntermTyped& left = *node.getLeft();
+  if (node.getOp() == EOpIndexDirectStruct) {
+    const int member = constant_index(*node.getRight());
+    return {expression(left).at_least(Binding::postfix) + '.' + context_.field(left.getType(), member),
+            Binding::postfix};
+  }
+  const std::vector<Text> parts = in_order({&left, node.getRight()});
+  const bool is_array = left.isArray();
+  if (!is_array && node.getOp() == EOpIndexIndirect)
+    return {"at(" + parts[0].text + ", " + parts[1].text + ")", Binding::postfix};
+  return {parts[0].at_least(Binding::postfix) + '[' + parts[1].text + ']', Binding::postfix};
+}
+
+CppExpressions::Text CppExpressions::binary(const TIntermBinary& node) {
+  const TOperator op = node.getOp();
+  if (!swizzle_of(node).components.empty()) return component(swizzle_of(node));
+  if (op == EOpIndexDirect || op == EOpIndexIndirect || op == EOpIndexDirectStruct) return index(node);
+  if (assignment_operator(op).sign != nullptr) return assignment(node, true);
+  return arithmetic(node);
+}
+
+CppExpressions::Text CppExpressions::arithmetic(const TIntermBinary& node) {
+  const TOperator op = node.getOp();
+  if (op == EOpLogicalAnd || op == EOpLogicalOr) {
+    const BinaryOperator sign = binary_operator(op);
+    const Text left = expression(*node.getLeft());
+    const Text right = enclosed(*node.getRight(), true);  // it may not run at all
+    return {left.at_least(sign.binding) + ' ' + sign.sign + ' ' + right.at_least(above(sign.binding)),
+            sign.binding};
+  }
+  const std::vector<Text> operands = in_order({node.getLeft(), node.getRight()});
+  return arithmetic(op, *node.getLeft(), *node.getRight(), operands[0], operands[1]);
+}
+
+CppExpressions::Text CppExpressions::arithmetic(TOperator op, const TIntermTyped& left,
+                                                const TIntermTyped& right, const Text& left_text,
+                                                const Text& right_text) {
+  if (const char* function = integer_function(op, left, right))
+    return {std::string(function) + "(" + left_text.text + ", " + right_text.text + ")", Binding::postfix};
+  if (op == EOpDiv && left.isMatrix() && right.isMatrix())  // GLM multiplies by the inverse
+    return {"divide(" + left_text.text + ", " + right_text.text + ")", Binding::postfix};
+  BinaryOperator sign = binary_operator(op);
+  if (op == EOpLogicalXor) sign = binary_operator(EOpNotEqual);
+  return {left_text.at_least(sign.binding) + ' ' + sign.sign + ' ' + right_text.at_least(above(sign.binding)),
+          sign.binding};
+}
+
+CppExpressions::Text CppExpressions::assignment(const TIntermBinary& node, bool wants_value) {
+  const TIntermTyped& left = *node.getLeft();
+  const TIntermTyped& right = *node.getRight();
+  const BinaryOperator op = assignment_operator(node.getOp());
+  const Swizzle swizzle = swizzle_of(left);
+
+  Text right_text = expression(right);
+  const Text place = expression(left);
+  std::string sign = op.sign;
+  // C++ has no such operator on the two types, or not with GLSL's meaning: say it as left = left op right.
+  const bool spelled_out =
+      op.plain != EOpNull && (integer_function(op.plain, left, right) != nullptr ||
+                              (right.isMatrix() && op.plain != EOpAdd && op.plain != EOpSub));
+  if (spelled_out) {
+    right_text = arithmetic(op.plain, left, right, place, right_text);
+    sign = "=";
+  }
+
+  std::string target = place.at_least(Binding::postfix);
+  if (swizzle.components.size() > 1) target = swizzle_target(swizzle);
+  const std::string text = target + ' ' + sign + ' ' + right_text.at_least(Binding::assignment);
+  if (!wants_value || swizzle.components.size() < 2) return {text, Binding::assignment};
+  prelude_.push_back(text + ";");
+  return place;
+}
+
+CppExpressions::Text CppExpressions::increment(const TIntermUnary& node, bool wants_value) {
+  const TIntermTyped& operand = *node.getOperand();
+  const TOperator op = node.getOp();
+  const bool adds = op == EOpPreIncrement || op == EOpPostIncrement;
+  const bool before = op == EOpPreIncrement || op == EOpPreDecrement;
+  const Text place = expression(operand);
+  if (operand.isScalar()) {
+    const std::string sign = adds ? "++" : "--";
+    return before ? Text{sign + place.at_least(Binding::prefix), Binding::prefix}
+                  : Text{place.at_least(Binding::postfix) + sign, Binding::postfix};
+  }
+  Text result = place;
+  if (wants_value && !before) result = temporary(operand, place.text);
+  const Swizzle swizzle = swizzle_of(operand);
+  std::string target = place.text;
+  if (swizzle.components.size() > 1) target = swizzle_target(swizzle);
+  const std::string one = operand.getBasicType() == EbtFloat  ? context_.literal(1.0)
+                          : operand.getBasicType() == EbtUint ? "1u"
+                                                              : "1";
+  const std::string text = target + (adds ? " += " : " -= ") + one;
+  if (!wants_value) return {text, Binding::assignment};
+  prelude_.push_back(text + ";");
+  return result;
+}
+
+CppExpressions::Text CppExpressions::conversion(const TIntermTyped& node, const TIntermTyped& operand) {
+  const bool plain = node.isScalar() && operand.isScalar() && node.getBasicType() != EbtBool &&
+                     operand.getBasicType() != EbtFloat;
+  const std::string type = context_.type(node.getType());
+  return {(plain ? type : "make<" + type + ">") + "(" + expression(operand).text + ")", Binding::postfix};
+}
+
+CppExpressions::Text CppExpressions::unary(const TIntermUnary& node) {
+  const TOperator op = node.getOp();
+  const TIntermTyped& operand = *node.getOperand();
+  if (is_increment(op)) return increment(node, true);
+  if (is_conversion(op)) return conversion(node, operand);
+  const auto prefix = [&](const char* sign) {
+    const std::string text = expression(operand).at_least(Binding::prefix);
+    return Text{sign + (text[0] == sign[0] ? "(" + text + ")" : text), Binding::prefix};
+  };
+  switch (op) {
+    case EOpNegative:
+      return prefix("-");
+    case EOpLogicalNot:
+      return prefix("!");
+    case EOpBitwiseNot:
+      return prefix("~");
+    default:
+      break;
+  }
+  if (const char* name = builtin_name(op))
+    return {context_.builtin(name) + "(" + expression(operand).text + ")", Binding::postfix};
+  return conversion(node, operand);
+}
+
+CppExpressions::Text CppExpressions::selection(const TIntermSelection& node) {
+  const Text condition = expression(*node.getCondition());
+  const Text yes = enclosed(*node.getTrueBlock()->getAsTyped(), true);
+  const Text no = enclosed(*node.getFalseBlock()->getAsTyped(), true);
+  return {condition.at_least(above(Binding::conditional)) + " ? " + yes.at_least(Binding::conditional) +
+              " : " + no.at_least(Binding::conditional),
+          Binding::conditional};
+}
+
+}  // namespace shadertwin::emit

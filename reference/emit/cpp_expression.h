@@ -1,0 +1,83 @@
+// GLSL expressions as C++.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "reference/emit/cpp_context.h"
+#include "reference/emit/operators.h"
+
+namespace shadertwin::emit {
+
+// What C++ can't say in one expression in GLSL's order is said by statements in front of it: the prelude.
+class CppExpressions {
+ public:
+  // `names` holds what the function's temporaries must not be called.
+  CppExpressions(CppContext& context, NameScope& names) : context_(context), names_(names) {}
+
+  void name_local(SymbolId id, const std::string& name) { locals_[id] = name; }
+  const std::string& local(SymbolId id) const { return locals_.at(id); }
+
+  // The expression's text; prelude() holds what has to stand before it.
+  std::string value(const glslang::TIntermTyped& node);
+  // The same for a place where no statement can stand in front, such as a loop's condition.
+  std::string self_contained(const glslang::TIntermTyped& node);
+  // An expression whose value nobody wants; empty if the prelude says it all.
+  std::string statement(const glslang::TIntermTyped& node);
+  // Both at once: for what stands behind a loop's second semicolon.
+  std::string self_contained_statement(const glslang::TIntermTyped& node);
+  // Empties the prelude.
+  std::vector<std::string> take_prelude();
+
+ private:
+  struct Text {
+    std::string text;
+    Binding binding = Binding::primary;
+
+    std::string at_least(Binding needed) const { return binding < needed ? "(" + text + ")" : text; }
+  };
+
+  // A multi-component swizzle, composed: v.zyx.xy is {v, 2, 1}.
+  struct Swizzle {
+    const glslang::TIntermTyped* base = nullptr;
+    std::vector<int> components;
+  };
+
+  Text expression(const glslang::TIntermTyped& node);
+  Text symbol(const glslang::TIntermSymbol& node);
+  Text binary(const glslang::TIntermBinary& node);
+  Text arithmetic(const glslang::TIntermBinary& node);
+  Text arithmetic(glslang::TOperator op, const glslang::TIntermTyped& left,
+                  const glslang::TIntermTyped& right, const Text& left_text, const Text& right_text);
+  Text index(const glslang::TIntermBinary& node);
+  Text component(const Swizzle& swizzle);
+  Text assignment(const glslang::TIntermBinary& node, bool wants_value);
+  Text increment(const glslang::TIntermUnary& node, bool wants_value);
+  Text unary(const glslang::TIntermUnary& node);
+  Text conversion(const glslang::TIntermTyped& node, const glslang::TIntermTyped& operand);
+  Text aggregate(const glslang::TIntermAggregate& node, bool wants_value);
+  Text constructor(const glslang::TIntermAggregate& node);
+  Text builtin_call(const glslang::TIntermAggregate& node);
+  Text call(const glslang::TIntermAggregate& node, bool wants_value);
+  Text selection(const glslang::TIntermSelection& node);
+  Text comma(const glslang::TIntermAggregate& node, bool wants_value);
+
+  static Swizzle swizzle_of(const glslang::TIntermTyped& node);
+  bool can_pass_by_reference(const glslang::TIntermAggregate& call, std::size_t argument);
+  // Evaluates operands from left to right, each into a temporary where C++ could choose another order.
+  std::vector<Text> in_order(const std::vector<const glslang::TIntermTyped*>& operands);
+  Text temporary(const glslang::TIntermTyped& node, const std::string& text);
+  std::string arguments(const glslang::TIntermSequence& sequence);
+  // An expression with its prelude, if there is any, folded into a lambda.
+  Text enclosed(const glslang::TIntermTyped& node, bool wants_value);
+  // What an assignment to a swizzle writes to: `swizzle<0, 2>(v)`.
+  std::string swizzle_target(const Swizzle& swizzle);
+
+  CppContext& context_;
+  NameScope& names_;
+  std::map<SymbolId, std::string> locals_;
+  std::vector<std::string> prelude_;
+};
+
+}  // namespace shadertwin::emit

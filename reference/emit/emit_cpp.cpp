@@ -1,0 +1,211 @@
+#include "reference/emit/emit_cpp.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "host/base/error.h"
+#include "reference/emit/cpp_context.h"
+#include "reference/emit/cpp_function.h"
+
+namespace shadertwin {
+
+using namespace glslang;
+
+namespace emit {
+namespace {
+
+// Collects lines and puts #line in front of those that the one before doesn't lead to.
+class CppText {
+ public:
+  CppText(const Project& project, const std::string& own_name) : project_(project), own_name_(own_name) {}
+
+  void add(const std::string& line) { add({0, line, {}}); }
+
+  void add(const CppLine& line) {
+    if (line.source.file >= 0) {
+      const bool follows = line.source.file == expected_.file &&
+                           (line.source.line == expected_.line || line.source.line == expected_.line - 1);
+      if (!follows || line.source.line != expected_.line)
+        text_ += "#line " + std::to_string(line.source.line) + " \"" +
+                 escaped(project_.files[line.source.file]) + "\"\n";
+      expected_ = {line.source.file, line.source.line + 1};
+    } else if (expected_.file >= 0) {
+      // Back to this file: two lines on, because #line names the line behind itself.
+      const auto lines = std::count(text_.begin(), text_.end(), '\n');
+      text_ += "#line " + std::to_string(lines + 2) + " \"" + own_name_ + "\"\n";
+      expected_ = {};
+    }
+    text_ += std::string(static_cast<std::size_t>(line.depth) * 2, ' ') + line.text + '\n';
+  }
+
+  std::string take() { return std::move(text_); }
+
+ private:
+  static std::string escaped(const std::string& name) {
+    std::string text;
+    for (const char c : name) {
+      if (c == '"' || c == '\\') text += '\\';
+      text += c;
+    }
+    return text;
+  }
+
+  const Project& project_;
+  std::string own_name_;
+  std::string text_;
+  SourceLine expected_;
+};
+
+bool looks_like_macro(const std::string& name) {
+  return name.size() > 1 && std::isupper(static_cast<unsigned char>(name[0])) != 0 &&
+         std::none_of(name.begin(), name.end(), [](unsigned char c) { return std::islower(c) != 0; });
+}
+
+class CppModule {
+ public:
+  CppModule(const Project& project, const Program& program, const CppOptions& options)
+      : program_(program), context_(program, options), text_(project, "twin.cpp") {}
+
+  std::string write() {
+    std::vector<CppLine> members;
+    for (const Function& function : program_.functions()) {
+      for (CppLine& line : CppFunction(context_, function).lines()) {
+        ++line.depth;
+        members.push_back(std::move(line));
+      }
+      members.push_back({});
+    }
+    const std::vector<std::string> initialisers = initialiser_lines();
+
+    text_.add("#include \"reference/twin/invocation.h\"");
+    undefine_macros();
+    text_.add("");
+    text_.add("namespace shadertwin::glsl {");
+    text_.add("namespace {");
+    text_.add("");
+    structs();
+    for (const std::string& constant : context_.hoisted()) text_.add(constant);
+    if (!context_.hoisted().empty()) text_.add("");
+    text_.add("struct Shader : Invocation {");
+    variables();
+    text_.add("  void initialise() {");
+    for (const std::string& line : initialisers) text_.add("    " + line);
+    text_.add("  }");
+    bindings();
+    text_.add("");
+    for (const CppLine& line : members) text_.add(line);
+    text_.add("};");
+    text_.add("");
+    text_.add("}  // namespace");
+    text_.add("}  // namespace shadertwin::glsl");
+    text_.add("");
+    text_.add("SHADERTWIN_EXPORT(" + output() + ")");
+    return text_.take();
+  }
+
+ private:
+  // A shader may use any name that C++'s headers define as a macro.
+  void undefine_macros() {
+    std::set<std::string> names;
+    for (const Token& token : program_.tree().tokens()) {
+      if (looks_like_macro(token.text) && is_identifier(token.text) && token.text.rfind("SHADERTWIN", 0) != 0)
+        names.insert(token.text);
+    }
+    for (const std::string& name : names) text_.add("#undef " + name);
+  }
+
+  void structs() {
+    for (const StructTable::Entry& entry : context_.structs().entries()) {
+      text_.add("struct " + entry.name + " {");
+      const TTypeList& members = *entry.type->getStruct();
+      for (std::size_t i = 0; i < members.size(); ++i)
+        text_.add("  " + context_.type(*members[i].type) + " " +
+                  context_.field(*entry.type, static_cast<int>(i)) + ";");
+      text_.add("  bool operator==(const " + entry.name + "&) const = default;");
+      text_.add("};");
+      text_.add("");
+    }
+  }
+
+  bool is_unused_uniform(const TIntermSymbol& symbol) const {
+    return symbol.getQualifier().storage == EvqUniform &&
+           std::none_of(
+               program_.functions().begin(), program_.functions().end(),
+               [&](const Function& function) { return function.globals.reads.count(symbol.getId()) != 0; });
+  }
+
+  void variables() {
+    for (const TIntermSymbol* symbol : program_.globals()) {
+      if (symbol->getQualifier().isConstant() || is_unused_uniform(*symbol)) continue;
+      text_.add("  " + context_.type(symbol->getType()) + " " + context_.global(*symbol) + "{};");
+    }
+    text_.add("");
+  }
+
+  std::vector<std::string> initialiser_lines() {
+    std::vector<std::string> lines;
+    std::set<SymbolId> written;
+    NameScope names;
+    CppExpressions expressions(context_, names);
+    for (const TIntermBinary* initialiser : program_.initialisers()) {
+      const TIntermSymbol* symbol = initialiser->getLeft()->getAsSymbolNode();
+      if (symbol != nullptr) written.insert(symbol->getId());
+      const std::string text = expressions.statement(*initialiser);
+      for (const std::string& line : expressions.take_prelude()) lines.push_back(line);
+      lines.push_back(text + ";");
+    }
+    std::vector<std::string> unwritten;
+    for (const TIntermSymbol* symbol : program_.globals()) {
+      const TStorageQualifier storage = symbol->getQualifier().storage;
+      if (written.count(symbol->getId()) == 0 && (storage == EvqGlobal || storage == EvqVaryingOut))
+        unwritten.push_back("unwritten(" + context_.global(*symbol) + ");");
+    }
+    lines.insert(lines.begin(), unwritten.begin(), unwritten.end());
+    return lines;
+  }
+
+  void bindings() {
+    text_.add("  template <class Bind>");
+    text_.add("  void bind_uniforms(Bind&& bind) {");
+    for (const TIntermSymbol* symbol : program_.globals()) {
+      if (symbol->getQualifier().storage == EvqUniform && !is_unused_uniform(*symbol))
+        text_.add(std::string("    bind(\"") + symbol->getName().c_str() + "\", " + context_.global(*symbol) +
+                  ");");
+    }
+    text_.add("  }");
+    text_.add(std::string("  static constexpr bool uses_derivatives = ") +
+              (program_.uses_derivatives() ? "true" : "false") + ";");
+    text_.add(std::string("  static constexpr bool uses_implicit_lod = ") +
+              (program_.uses_implicit_lod() ? "true" : "false") + ";");
+    const bool stops = program_.uses_discard() || context_.options().loop_guards;
+    text_.add(std::string("  static constexpr bool uses_stop = ") + (stops ? "true" : "false") + ";");
+  }
+
+  // The variable that holds the pixel: the output at location 0, or the only one.
+  std::string output() {
+    const TIntermSymbol* found = nullptr;
+    for (const TIntermSymbol* symbol : program_.globals()) {
+      if (symbol->getQualifier().storage != EvqVaryingOut) continue;
+      const bool first = !symbol->getQualifier().hasLocation() || symbol->getQualifier().layoutLocation == 0;
+      if (found == nullptr || first) found = symbol;
+    }
+    if (found == nullptr) throw Error(ExitStatus::shader, "error: the shader has no output");
+    return context_.global(*found);
+  }
+
+  const Program& program_;
+  CppContext context_;
+  CppText text_;
+};
+
+}  // namespace
+}  // namespace emit
+
+std::string emit_cpp(const Project& project, const Pass& pass, const CppOptions& options) {
+  const emit::SyntaxTree tree(project, pass.source,
+                              options.double_precision ? emit::Folding::float64 : emit::Folding::float32);
+  const emit::Program program(tree);
+  return emit::CppModule(project, program, options).write();
+}
+
+}  // namespace shadertwin

@@ -1,0 +1,93 @@
+#include "reference/emit/syntax_tree.h"
+
+#include <glslang/MachineIndependent/localintermediate.h>
+#include <glslang/Public/ResourceLimits.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "host/base/error.h"
+#include "reference/emit/fold.h"
+
+namespace shadertwin::emit {
+namespace {
+
+constexpr int version = 300;
+constexpr EShMessages messages = EShMsgDefault;
+
+// glslang numbers its messages by token; map_log wants lines.
+std::string log_by_line(const std::string& log, const std::vector<Token>& tokens) {
+  std::istringstream in(log);
+  std::string out;
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t number = line.find(" 0:");
+    const std::size_t end = number == std::string::npos ? number : line.find(':', number + 3);
+    // What follows the count of errors says nothing that the errors don't.
+    if (end == std::string::npos) continue;
+    const int token = std::atoi(line.c_str() + number + 3) - 1;
+    if (token < 0 || token >= static_cast<int>(tokens.size())) continue;
+    out += line.substr(0, number + 3) + std::to_string(tokens[token].line) + line.substr(end) + '\n';
+  }
+  return out;
+}
+
+[[noreturn]] void refuse(const Project& project, const PassSource& source, const std::string& log) {
+  std::string text = map_log(project, source, log);
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  throw Error(ExitStatus::shader, text.empty() ? "error: the shader does not compile" : text);
+}
+
+}  // namespace
+
+SyntaxTree::SyntaxTree(const Project& project, const PassSource& source, Folding folding)
+    : project_(project),
+      source_(source),
+      head_lines_(static_cast<int>(std::count(source.head.begin(), source.head.end(), '\n'))) {
+  const std::string text = source.text();
+  const char* strings = text.c_str();
+  glslang::TShader preprocessor(EShLangFragment);
+  preprocessor.setStrings(&strings, 1);
+  std::string preprocessed;
+  glslang::TShader::ForbidIncluder no_includes;
+  if (!preprocessor.preprocess(GetDefaultResources(), version, EEsProfile, false, false, messages,
+                               &preprocessed, no_includes))
+    refuse(project, source, preprocessor.getInfoLog());
+
+  tokens_ = split_tokens(preprocessed);
+  const std::string lines = one_token_a_line(tokens_);
+  strings = lines.c_str();
+  shader_ = std::make_unique<glslang::TShader>(EShLangFragment);
+  shader_->setStrings(&strings, 1);
+  const ConstantFolding guard(folding);
+  if (!shader_->parse(GetDefaultResources(), version, EEsProfile, false, false, messages))
+    refuse(project, source, log_by_line(shader_->getInfoLog(), tokens_));
+  root_ = shader_->getIntermediate()->getTreeRoot()->getAsAggregate();
+  declarations_ = std::make_unique<Declarations>(tokens_);
+}
+
+int SyntaxTree::token_of(const TIntermNode& node) const {
+  const int token = node.getLoc().line - 1;
+  return token < static_cast<int>(tokens_.size()) ? token : -1;
+}
+
+const std::string& SyntaxTree::token_text(const TIntermNode& node) const {
+  static const std::string none;
+  const int token = token_of(node);
+  return token < 0 ? none : tokens_[token].text;
+}
+
+SourceLine SyntaxTree::line_of(const TIntermNode& node) const {
+  const int token = token_of(node);
+  if (token < 0) return {};
+  const int body_line = tokens_[token].line - 1 - head_lines_;
+  if (body_line < 0 || body_line >= static_cast<int>(source_.lines.size())) return {};
+  return source_.lines[body_line];
+}
+
+std::string SyntaxTree::place_of(const TIntermNode& node) const {
+  const SourceLine line = line_of(node);
+  if (line.file < 0) return "shader";
+  return project_.files[line.file] + ':' + std::to_string(line.line);
+}
+
+}  // namespace shadertwin::emit

@@ -1,0 +1,157 @@
+// What the C++ of a shader looks like, and which shaders are refused.
+#include "reference/emit/emit_cpp.h"
+
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+#include "tests/scratch_folder.h"
+
+namespace shadertwin {
+namespace {
+
+// The C++ of functions that stand in front of an empty mainImage.
+std::string emitted(const std::string& functions, const CppOptions& options = {}) {
+  const ScratchFolder folder;
+  const auto file =
+      folder.write("shader.glsl", functions + "\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }\n");
+  const Project project = load_project(file);
+  return emit_cpp(project, project.passes.back(), options);
+}
+
+std::string refusal(const std::string& shader) {
+  const ScratchFolder folder;
+  const auto file = folder.write("shader.glsl", shader);
+  const Project project = load_project(file);
+  try {
+    emit_cpp(project, project.passes.back());
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), ExitStatus::shader);
+    const std::string text = error.what();
+    return text.substr(text.find("shader.glsl"));
+  }
+  return "no error";
+}
+
+// Without #line directives and indentation, so that texts can be compared.
+std::string plain(const std::string& text) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::size_t start = std::min(text.find_first_not_of(' ', at), end);
+    const std::string line = text.substr(start, end - start);
+    if (line.rfind("#line", 0) != 0 && !line.empty()) result += line + '\n';
+    at = end + 1;
+  }
+  return result;
+}
+
+testing::AssertionResult contains(const std::string& text, const std::string& part) {
+  if (plain(text).find(part) != std::string::npos) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << "not found:\n" << part << "in:\n" << plain(text);
+}
+
+TEST(EmitCpp, FunctionsKeepTheirNamesAndShape) {
+  EXPECT_TRUE(contains(emitted("vec3 shade(vec3 n, float k) { return n.zyx * k + vec3(0.5); }"),
+                       "vec3 shade(vec3 n, Float k) {\nreturn n.zyx() * k + vec3(0.5f);\n}\n"));
+}
+
+TEST(EmitCpp, EveryStatementNamesTheUsersLine) {
+  const std::string text = emitted("float f(float x) {\n  float y = x;\n\n\n  return y;\n}");
+  const std::size_t first = text.find("#line 1 ");
+  ASSERT_NE(first, std::string::npos) << text;
+  const std::string shown = text.substr(text.find('\n', first) + 1);
+  EXPECT_EQ(shown.rfind("  Float f(Float x) {\n    Float y = x;\n#line 5 ", 0), 0U) << text;
+}
+
+TEST(EmitCpp, VariableThatOutlivesARoundIsDeclaredBeforeTheLoop) {
+  EXPECT_TRUE(
+      contains(emitted("float f() { float s = 0.0, last; for (int i = 0; i < 3; i++) { if (i > 0) s += last; "
+                       "last = float(i); } return s; }"),
+               "Float last;\nfor (int i = 0; i < 3; i++) {\n"));
+}
+
+TEST(EmitCpp, VariableOfALoopBodyIsFreshInEveryRound) {
+  EXPECT_TRUE(contains(
+      emitted("float f() { float s = 0.0; for (int i = 0; i < 3; i++) { float x; if (i == 1) x = 2.0; "
+              "s += x; } return s; }"),
+      "for (int i = 0; i < 3; i++) {\nFloat x;\n"));
+}
+
+TEST(EmitCpp, ConstantsKeepTheirNames) {
+  const std::string text = emitted(
+      "const float PI = 3.25; const float list[2] = float[](1.0, 2.0); const float two_pi = "
+      "2.0 * PI;\nfloat f(int i) { return PI * 3.0 + list[i] + two_pi; }");
+  EXPECT_TRUE(contains(text, "const array<Float, 2> list = array<Float, 2>{{1.0f, 2.0f}};\n"));
+  EXPECT_TRUE(contains(text, "const Float two_pi = 6.5f;\n"));
+  EXPECT_TRUE(contains(text, "return 9.75f + list[i] + two_pi;\n"));
+}
+
+TEST(EmitCpp, ConstantsAreFoldedInFloatAsAGpuCompilerDoes) {
+  const std::string shader = "float f(float x) { return x + (0.1 + 0.6); }";
+  EXPECT_TRUE(contains(emitted(shader), "return x + 0.70000005f;\n"));
+  CppOptions wide;
+  wide.double_precision = true;
+  EXPECT_TRUE(contains(emitted(shader, wide), "return x + 0.7;\n"));
+}
+
+TEST(EmitCpp, DrawsStayInOrder) {
+  EXPECT_TRUE(
+      contains(emitted("float s = 1.0;\nfloat r() { s *= 2.0; return s; }\nfloat f() { return r() - r(); }"),
+               "const Float tmp = r();\nreturn tmp - r();\n"));
+}
+
+TEST(EmitCpp, ArgumentsWithoutSideEffectsStayInPlace) {
+  EXPECT_TRUE(contains(
+      emitted("float g(float x) { return x * 2.0; }\nfloat f(float a) { return g(a) - g(a + 1.0); }"),
+      "return g(a) - g(a + 1.0f);\n"));
+}
+
+TEST(EmitCpp, InoutSwizzleIsCopiedInAndOut) {
+  EXPECT_TRUE(contains(emitted("void g(inout vec2 v) { v += 1.0; }\nvec3 f(vec3 a) { g(a.zx); return a; }"),
+                       "vec2 tmp = a.zx();\ng(tmp);\nswizzle<2, 0>(a) = tmp;\n"));
+}
+
+TEST(EmitCpp, GlobalIsCopiedWhereTheFunctionCanReachItItself) {
+  EXPECT_TRUE(contains(emitted("float s = 1.0;\nvoid g(inout float v) { v += s; }\nvoid f() { g(s); }"),
+                       "Float tmp = s;\ng(tmp);\ns = tmp;\n"));
+}
+
+TEST(EmitCpp, OutParameterDoesNotKeepTheCallersValue) {
+  EXPECT_TRUE(contains(emitted("void g(out vec2 v, float x) { if (x > 0.0) v.x = x; }"), "unwritten(v);\n"));
+}
+
+TEST(EmitCpp, WordsOfCppAreRenamed) {
+  EXPECT_TRUE(contains(emitted("float delete(float new) { return new; }"),
+                       "Float delete_(Float new_) {\nreturn new_;\n"));
+}
+
+TEST(EmitCpp, LocalNamedAfterABuiltinThatTheFunctionCallsIsRenamed) {
+  EXPECT_TRUE(contains(emitted("float f(vec2 p) { float length = length(p); return length; }"),
+                       "Float length_2 = length(p);\nreturn length_2;\n"));
+}
+
+TEST(EmitCpp, RefusalNamesTheUsersLine) {
+  EXPECT_EQ(refusal("void mainImage(out vec4 c, in vec2 p) {\n\n  c = vec3(1.0);\n}\n")
+                .rfind("shader.glsl:3: error: ", 0),
+            0U);
+  EXPECT_EQ(refusal("#define WRONG nonsense\n\nvoid mainImage(out vec4 c, in vec2 p) {\n  c = vec4(p,\n  "
+                    "WRONG, 1.0);\n}\n")
+                .rfind("shader.glsl:5: error: 'nonsense'", 0),
+            0U);
+}
+
+TEST(EmitCpp, RecursionIsRefused) {
+  EXPECT_EQ(
+      refusal(
+          "float g(float x);\nfloat f(float x) {\n  return g(x);\n}\nfloat g(float x) { return f(x); }\nvoid "
+          "mainImage(out vec4 c, in vec2 p) { c = vec4(f(p.x)); }\n"),
+      "shader.glsl:5: error: 'f' calls itself: recursion is not allowed");
+}
+
+TEST(EmitCpp, FunctionWithoutDefinitionIsRefused) {
+  EXPECT_EQ(refusal("float f(float x);\nvoid mainImage(out vec4 c, in vec2 p) {\n  c = vec4(f(p.x));\n}\n"),
+            "shader.glsl:3: error: 'f' is called but not defined");
+}
+
+}  // namespace
+}  // namespace shadertwin

@@ -1,0 +1,25 @@
+// Arguments and operands are evaluated from left to right.
+uint state;
+uint rnd() { state = state * 747796405u + 2891336453u; return state >> 9; }
+float f() { return float(rnd() & 255u); }
+float g(float a, float b, float c) { return a - b * 2.0 + c * 4.0; }
+struct Pair { float a, b; };
+float pick(int i) { return i > 1 ? f() : 1.0; }
+void mainImage(out vec4 color, in vec2 p) {
+  state = uint(p.x) + 256u * uint(p.y);
+  vec3 v = vec3(f(), f(), f());
+  float a = f() - f();
+  float b = g(f(), f(), f());
+  Pair q = Pair(f(), f());
+  float list[2] = float[2](f(), f());
+  int i = 0;
+  float c = float(i++) + float(i++) * 8.0 + float(++i) * 64.0;
+  float d = (f() > 100.0 && f() > 50.0 || f() < 9.0) ? f() : -f();
+  float e = pick(i) + (f() * 2.0 + (f() - f()));
+  for (int k = int(f()) & 3; k < 5 && f() < 250.0; k += 1 + int(rnd() & 1u)) e += float(k);
+  while (f() < 200.0) e += 0.5;
+  float x = 1.0;
+  float y = (x += 1.0, x * 3.0);
+  color = vec4(v.x + 256.0 * v.y, v.z + 0.5 * a, b + q.a - q.b * 0.5, list[0] - list[1] + c);
+  if (mod(p.x, 2.0) > 1.0) color = vec4(d, e, y, f());
+}

@@ -1,0 +1,24 @@
+// out and inout are copied in and out: through swizzles, elements, members, globals and the same variable twice.
+vec3 shared_value = vec3(1.0, 2.0, 3.0);
+float counter = 0.0;
+void add(inout float a, in float b, inout float c) { a += b; c = a * 2.0; }
+void write(out vec2 v, float x) { v = vec2(x, -x); }
+float touch_global(inout vec3 v) { v.x = 10.0; counter += shared_value.x; shared_value.y = 5.0; return shared_value.x + v.y; }
+float next(inout float s) { s += 0.25; return s; }
+void half_written(out vec4 v, float x) { if (x > 0.5) v.xy = vec2(x); v.z = 1.0; }
+void mainImage(out vec4 color, in vec2 p) {
+  float x = p.x / 8.0;
+  vec4 v = vec4(x, 2.0, 3.0, 4.0);
+  write(v.zx, x);
+  float list[3] = float[3](x, 1.0, 2.0);
+  int i = 1;
+  add(list[i], v.x, list[2]);
+  add(v.y, v.y, v.w);
+  float r = touch_global(shared_value);
+  float s = x;
+  vec2 pair = vec2(next(s), next(s));
+  float sum = next(s) * 2.0 - next(s) + s;
+  color = vec4(v.x + v.z * 4.0, r + shared_value.x * 100.0 + shared_value.y, pair.x + pair.y * 16.0, sum);
+  if (p.y < 2.0) color = v;
+  if (p.y > 6.0) color = vec4(list[0], list[1], list[2], counter);
+}
