@@ -1,0 +1,178 @@
+#include "reference/twin/channels.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "host/player/inputs.h"
+
+namespace shadertwin::twin {
+namespace {
+
+constexpr std::array<const char*, Channels::keyboard + 1> channel_names = {
+    "iChannel0", "iChannel1", "iChannel2", "iChannel3", "iChannel4", "iChannel5",
+    "iChannel6", "iChannel7", "iChannel8", "iChannel9", "iKeyboard"};
+
+constexpr Sampler nearest{MinFilter::nearest, MagFilter::nearest, Wrap::clamp, false};
+
+bool uses_mipmaps(const Sampler& sampler) {
+  return sampler.min != MinFilter::nearest && sampler.min != MinFilter::linear;
+}
+
+int scalar_count(UniformType type) {
+  switch (type) {
+    case UniformType::float1:
+    case UniformType::int1:
+      return 1;
+    case UniformType::float2:
+    case UniformType::int2:
+      return 2;
+    case UniformType::float3:
+    case UniformType::int3:
+      return 3;
+    case UniformType::float4:
+    case UniformType::int4:
+      return 4;
+    case UniformType::mat4:
+      return 16;
+  }
+  return 1;
+}
+
+bool is_integer(UniformType type) {
+  return type >= UniformType::int1 && type <= UniformType::int4;
+}
+
+}  // namespace
+
+Picture::Picture(Texture texture, bool mipmaps) : texture_(std::move(texture)), mipmaps_(mipmaps) {
+  finish_drawing();
+}
+
+void Picture::resize(int width, int height, int faces, bool keeps) {
+  Texture fresh;
+  fresh.format = Texture::Format::rgba32f;
+  fresh.width = width;
+  fresh.height = height;
+  fresh.faces = faces;
+  fresh.data.resize(fresh.texel_bytes() * static_cast<std::size_t>(width) * height * faces);
+  if (keeps && texture_.width > 0) {
+    const std::size_t row = fresh.texel_bytes() * static_cast<std::size_t>(std::min(width, texture_.width));
+    for (int y = 0; y < std::min(height, texture_.height); ++y)
+      std::memcpy(&fresh.data[fresh.texel_bytes() * static_cast<std::size_t>(width) * y],
+                  &texture_.data[fresh.texel_bytes() * static_cast<std::size_t>(texture_.width) * y], row);
+  }
+  texture_ = std::move(fresh);
+  finish_drawing();
+}
+
+void Picture::clear() {
+  std::fill(texture_.data.begin(), texture_.data.end(), std::byte{0});
+  if (texture_.width > 0) finish_drawing();
+}
+
+float* Picture::values() {
+  return reinterpret_cast<float*>(texture_.data.data());
+}
+
+void Picture::round_from(const std::vector<double>& wide) {
+  std::transform(wide.begin(), wide.end(), values(), [](double value) { return static_cast<float>(value); });
+}
+
+void Picture::copy_to(float* rgba) const {
+  std::memcpy(rgba, texture_.data.data(), texture_.data.size());
+}
+
+void Picture::finish_drawing() {
+  image_ = std::make_unique<glsl::TextureImage>(texture_, mipmaps_);
+}
+
+const Picture& PictureLibrary::load(const Input& input) {
+  const bool mipmaps = uses_mipmaps(input.sampler);
+  std::string key = std::string(mipmaps ? "mipmaps" : "plain") + (input.sampler.vflip ? " flipped" : "");
+  for (const auto& file : input.files) key += '\n' + file.string();
+  auto found = pictures_.find(key);
+  if (found == pictures_.end())
+    found = pictures_.emplace(std::move(key), Picture(load_texture(input), mipmaps)).first;
+  return found->second;
+}
+
+Keyboard::Keyboard(Dialect dialect) : dialect_(dialect) {
+  update(Frame{});
+}
+
+// The site's texture has one channel (g = b = 0), the extension's is grey; alpha is 1 in both.
+void Keyboard::update(const Frame& frame) {
+  const bool site = dialect_ == Dialect::shadertoy;
+  Texture texture;
+  texture.width = 256;
+  texture.height = site ? 3 : 4;
+  for (std::size_t i = 0; i < std::size_t{256} * static_cast<std::size_t>(texture.height); ++i) {
+    const auto value = static_cast<std::byte>(frame.keyboard[i]);
+    const std::byte other = site ? std::byte{0} : value;
+    texture.data.insert(texture.data.end(), {value, other, other, std::byte{255}});
+  }
+  picture_ = Picture(std::move(texture), false);
+}
+
+UniformList::UniformList(const Uniforms& values, const std::vector<CustomUniform>& custom,
+                         const std::vector<std::array<float, 4>>& custom_values) {
+  for (const UniformField& field : uniform_fields()) {
+    const auto kind = is_integer(field.type) ? UniformValue::Kind::int32 : UniformValue::Kind::float32;
+    values_.push_back({field.name, kind, reinterpret_cast<const char*>(&values) + field.offset,
+                       scalar_count(field.type) * field.count});
+  }
+  for (std::size_t i = 0; i < custom.size(); ++i) {
+    const std::array<float, 4>& value = custom_values.empty() ? custom[i].value : custom_values[i];
+    // The twin's own variable is an integer where it has to be.
+    values_.push_back({custom[i].name.c_str(), UniformValue::Kind::float32, value.data(), 4});
+  }
+}
+
+void UniformList::add(const char* name, int value) {
+  integers_.push_back({value});
+  values_.push_back({name, UniformValue::Kind::int32, integers_.back().data(), 1});
+}
+
+void UniformList::add_sampler(const char* name, const void* sampler) {
+  values_.push_back({name, UniformValue::Kind::sampler, sampler, 1});
+}
+
+void Channels::bind(std::size_t channel, const Picture& picture, const Sampler& sampler) {
+  if (picture.texture().faces == 6)
+    samplers_[channel] = glsl::bindcube(picture.image(), sampler);
+  else if (picture.texture().depth > 1)
+    samplers_[channel] = glsl::bind3d(picture.image(), sampler);
+  else
+    samplers_[channel] = glsl::bind2d(picture.image(), sampler);
+}
+
+void Channels::bind_keyboard(std::size_t channel, const Picture& picture) {
+  bind(channel, picture, nearest);
+}
+
+bool Channels::need_lod() const {
+  return std::any_of(samplers_.begin(), samplers_.end(), [](const AnySampler& any) {
+    return std::visit(
+        [](const auto& sampler) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(sampler)>, std::monostate>)
+            return false;
+          else
+            return glsl::needs_lod(sampler);
+        },
+        any);
+  });
+}
+
+void Channels::add_to(UniformList& uniforms) const {
+  for (std::size_t i = 0; i < samplers_.size(); ++i) {
+    std::visit(
+        [&](const auto& sampler) {
+          if constexpr (!std::is_same_v<std::decay_t<decltype(sampler)>, std::monostate>)
+            uniforms.add_sampler(channel_names[i], &sampler);
+        },
+        samplers_[i]);
+  }
+}
+
+}  // namespace shadertwin::twin

@@ -1,0 +1,273 @@
+// The base of every emitted shader: what GLSL gives an invocation, and the loop over pixels.
+#pragma once
+
+#include <csetjmp>
+#include <cstring>
+
+#include "reference/glsl/denormals.h"
+#include "reference/glsl/glsl.h"
+#include "reference/twin/abi.h"
+
+namespace shadertwin::glsl {
+
+// A variable that GLSL leaves undefined. Zero, as WebGL has it; a pattern that shows where it is used when
+// SHADERTWIN_PATTERN is defined.
+template <class T>
+SHADERTWIN_INLINE void unwritten(T& variable) {
+#ifdef SHADERTWIN_PATTERN
+  std::memset(static_cast<void*>(&variable), 0xfe, sizeof variable);
+#else
+  variable = T{};
+#endif
+}
+
+struct Invocation {
+  vec4 gl_FragCoord{};
+  bool gl_FrontFacing = true;
+  vec2 gl_PointCoord{};
+  Float gl_FragDepth{};
+
+  // Ends this pixel: discard, or a loop that has to stop.
+  [[noreturn]] void stop_invocation() { std::longjmp(end_, 1); }
+
+  void loop_guard() {
+    if ((++rounds_ & 0xfffu) == 0 && stop_->load(std::memory_order_relaxed)) stop_invocation();
+  }
+
+  // `place` tells the quad's pixels whether they have come to the same point of the shader.
+  template <class T>
+  T dFdx(T value, int place = __builtin_LINE()) {
+    return glsl::dFdx(exchange(value, place), lane_);
+  }
+  template <class T>
+  T dFdy(T value, int place = __builtin_LINE()) {
+    return glsl::dFdy(exchange(value, place), lane_);
+  }
+  template <class T>
+  T fwidth(T value, int place = __builtin_LINE()) {
+    return glsl::fwidth(exchange(value, place), lane_);
+  }
+
+  template <class Sampler, class P>
+  vec4 texture(const Sampler& s, P p, int place = __builtin_LINE()) {
+    return glsl::texture(s, p, lod(s, p, place));
+  }
+  template <class Sampler, class P>
+  vec4 texture(const Sampler& s, P p, Float bias, int place = __builtin_LINE()) {
+    return glsl::texture(s, p, lod(s, p, place), bias);
+  }
+  template <class Sampler, class P, class Offset>
+  vec4 textureOffset(const Sampler& s, P p, Offset offset, int place = __builtin_LINE()) {
+    return glsl::textureOffset(s, p, lod(s, p, place), offset);
+  }
+  template <class Sampler, class P, class Offset>
+  vec4 textureOffset(const Sampler& s, P p, Offset offset, Float bias, int place = __builtin_LINE()) {
+    return glsl::textureOffset(s, p, lod(s, p, place), offset, bias);
+  }
+  template <class Sampler, class P>
+  vec4 textureProj(const Sampler& s, P p, int place = __builtin_LINE()) {
+    return glsl::textureProj(s, p, lod(s, glsl::projected(s, p), place));
+  }
+  template <class Sampler, class P>
+  vec4 textureProj(const Sampler& s, P p, Float bias, int place = __builtin_LINE()) {
+    return glsl::textureProj(s, p, lod(s, glsl::projected(s, p), place), bias);
+  }
+  template <class Sampler, class P, class Offset>
+  vec4 textureProjOffset(const Sampler& s, P p, Offset offset, int place = __builtin_LINE()) {
+    return glsl::textureProjOffset(s, p, lod(s, glsl::projected(s, p), place), offset);
+  }
+  template <class Sampler, class P, class Offset>
+  vec4 textureProjOffset(const Sampler& s, P p, Offset offset, Float bias, int place = __builtin_LINE()) {
+    return glsl::textureProjOffset(s, p, lod(s, glsl::projected(s, p), place), offset, bias);
+  }
+
+  // What follows is the twin's, not the shader's.
+
+  template <class Shader>
+  friend class PixelLoop;
+
+ private:
+  template <class Sampler, class P>
+  Lod lod(const Sampler& s, const P& p, int place) {
+    if (quad_ == nullptr || !needs_lod(s)) return Lod{};
+    return implicit_lod(s, exchange(p, place));
+  }
+
+  // The value that each pixel of the quad has here. One that did not come here (it has ended, or took another
+  // branch) counts as if the value changed evenly over the square.
+  template <class T>
+  Quad<T> exchange(const T& value, int place) {
+    Quad<T> quad{{value, value, value, value}};
+    if (quad_ == nullptr) return quad;
+    static_assert(sizeof(T) <= twin::QuadExchange::max_bytes);
+    std::memcpy(quad_->waiting[lane_].value, &value, sizeof value);
+    quad_->waiting[lane_].place = place;
+    quad_->wait(quad_, lane_);
+    const auto met = [&](int lane) { return (quad_->met_lanes >> lane & 1u) != 0; };
+    for (int i = 0; i < 4; ++i) {
+      if (met(i)) std::memcpy(static_cast<void*>(&quad.v[i]), quad_->met[i].value, sizeof value);
+    }
+    for (int i = 0; i < 4; ++i) {
+      if (!met(i) && met(i ^ 1) && met(i ^ 2) && met(i ^ 3))
+        quad.v[i] = quad.v[i ^ 1] + quad.v[i ^ 2] - quad.v[i ^ 3];
+    }
+    return quad;
+  }
+
+  std::jmp_buf end_;
+  const std::atomic<bool>* stop_ = nullptr;
+  unsigned rounds_ = 0;
+  twin::QuadExchange* quad_ = nullptr;
+  int lane_ = 0;
+};
+
+// Gives a uniform its value.
+class UniformReader {
+ public:
+  explicit UniformReader(const twin::Request& request) : request_(request) {}
+
+  template <class T>
+  void operator()(const char* name, T& target) const {
+    for (int i = 0; i < request_.uniform_count; ++i) {
+      if (std::strcmp(request_.uniforms[i].name, name) == 0) return read(request_.uniforms[i], target);
+    }
+  }
+
+ private:
+  using Kind = twin::UniformValue::Kind;
+
+  static double number(const twin::UniformValue& value, int i) {
+    if (i >= value.count) return 0;
+    return value.kind == Kind::int32 ? static_cast<const int*>(value.data)[i]
+                                     : static_cast<const float*>(value.data)[i];
+  }
+
+  template <class T>
+  static void read_at(const twin::UniformValue& value, int& at, T& target) {
+    if constexpr (std::is_arithmetic_v<T>) {
+      target = static_cast<T>(number(value, at++));
+    } else {
+      for (int i = 0; i < target.length(); ++i) read_at(value, at, target[i]);
+    }
+  }
+
+  template <class T>
+  static constexpr bool is_sampler =
+      std::is_same_v<T, sampler2D> || std::is_same_v<T, sampler3D> || std::is_same_v<T, samplerCube>;
+
+  template <class T>
+  static void read(const twin::UniformValue& value, T& target) {
+    if constexpr (is_sampler<T>) {
+      if (value.kind == Kind::sampler) target = *static_cast<const T*>(value.data);
+    } else if (value.kind != Kind::sampler) {
+      int at = 0;
+      read_at(value, at, target);
+    }
+  }
+
+  const twin::Request& request_;
+};
+
+// Draws the pixels of a request. Shader is the emitted structure.
+template <class Shader>
+class PixelLoop {
+ public:
+  using Output = vec4 (*)(const Shader&);
+
+  PixelLoop(const twin::Request& request, Output output) : request_(request), output_(output) {
+    for (Shader& shader : shaders_) {
+      shader.bind_uniforms(UniformReader(request));
+      shader.stop_ = request.stop;
+      if (!request.quads) break;
+    }
+  }
+
+  void run() {
+    [[maybe_unused]] const Denormals denormals;
+    const int step = request_.quads ? 2 : 1;
+    // Quads stand on even pixels, whatever the rectangle.
+    for (int y = request_.y0 & ~(step - 1); y < request_.y1; y += step) {
+      if (request_.stop->load(std::memory_order_relaxed)) return;
+      for (int x = request_.x0 & ~(step - 1); x < request_.x1; x += step) {
+        x_ = x;
+        y_ = y;
+        if (request_.quads)
+          request_.run_quad(
+              request_.quad_runner, &exchange_,
+              [](void* self, int lane) { static_cast<PixelLoop*>(self)->pixel(lane); }, this);
+        else
+          pixel(0);
+      }
+    }
+  }
+
+ private:
+  void pixel(int lane) {
+    [[maybe_unused]] const Denormals denormals;  // a lane has a floating-point state of its own
+    Shader& shader = shaders_[lane];
+    const int x = x_ + lane % 2;
+    const int y = y_ + lane / 2;
+    shader.gl_FragCoord =
+        vec4(static_cast<Float>(x) + Float(0.5), static_cast<Float>(y) + Float(0.5), 0.5, 1);
+    shader.quad_ = request_.quads ? &exchange_ : nullptr;
+    shader.lane_ = lane;
+    if (!draw(shader)) return;
+    if (x < request_.x0 || x >= request_.x1 || y < request_.y0 || y >= request_.y1) return;
+    Float* pixel = static_cast<Float*>(request_.pixels) + (y - request_.y0) * request_.row_pitch +
+                   std::ptrdiff_t{4} * (x - request_.x0);
+    const vec4 color = output_(shader);
+    for (int i = 0; i < 4; ++i) pixel[i] = color[i];
+  }
+
+  // Whether the pixel has a colour.
+  static bool draw(Shader& shader) {
+    if constexpr (Shader::uses_stop) {
+      if (setjmp(shader.end_) != 0) return false;
+    }
+    shader.initialise();
+    shader.main();
+    return true;
+  }
+
+#ifdef SHADERTWIN_DOUBLE
+  struct Denormals {};
+#else
+  using Denormals = FlushDenormals;
+#endif
+
+  const twin::Request& request_;
+  Output output_;
+  Shader shaders_[twin::QuadExchange::lanes];
+  twin::QuadExchange exchange_;
+  int x_ = 0;
+  int y_ = 0;
+};
+
+// Any output as RGBA.
+inline vec4 as_pixel(const vec4& color) {
+  return color;
+}
+inline vec4 as_pixel(const vec3& color) {
+  return vec4(color, 1);
+}
+inline vec4 as_pixel(const vec2& color) {
+  return vec4(color, 0, 1);
+}
+inline vec4 as_pixel(Float color) {
+  return vec4(color, 0, 0, 1);
+}
+
+}  // namespace shadertwin::glsl
+
+#define SHADERTWIN_EXPORT(output)                                                                    \
+  extern "C" __attribute__((visibility("default"))) void shadertwin_describe(                        \
+      shadertwin::twin::Description* description) {                                                  \
+    using namespace shadertwin::glsl;                                                                \
+    *description = {shadertwin::twin::abi_version, sizeof(Float) == sizeof(double),                  \
+                    Shader::uses_derivatives, Shader::uses_implicit_lod};                            \
+  }                                                                                                  \
+  extern "C" __attribute__((visibility("default"))) void shadertwin_render(                          \
+      const shadertwin::twin::Request* request) {                                                    \
+    using namespace shadertwin::glsl;                                                                \
+    PixelLoop<Shader>(*request, [](const Shader& shader) { return as_pixel(shader.output); }).run(); \
+  }

@@ -1,0 +1,38 @@
+// Runs the four pixels of a quad side by side on one thread.
+#pragma once
+
+#include <boost/context/fiber.hpp>
+
+#include "reference/twin/abi.h"
+
+namespace shadertwin::twin {
+
+// Four fibres that live as long as the runner, so that a quad costs switches but no stacks. One runner a
+// thread.
+class QuadRunner {
+ public:
+  QuadRunner();
+  QuadRunner(const QuadRunner&) = delete;
+  QuadRunner& operator=(const QuadRunner&) = delete;
+
+  // A RunQuad; `runner` is a QuadRunner.
+  static void run(void* runner, QuadExchange* exchange, void (*lane)(void* argument, int lane),
+                  void* argument);
+
+ private:
+  struct Lane {
+    boost::context::fiber fiber;      // the lane, while the scheduler runs
+    boost::context::fiber scheduler;  // the scheduler, while the lane runs
+    bool running = false;             // has begun and not yet returned
+  };
+
+  void run_quad(QuadExchange& exchange);
+  void resume(int lane) { lanes_[lane].fiber = std::move(lanes_[lane].fiber).resume(); }
+  bool any_running() const;
+
+  Lane lanes_[QuadExchange::lanes];
+  void (*function_)(void*, int) = nullptr;
+  void* argument_ = nullptr;
+};
+
+}  // namespace shadertwin::twin

@@ -1,0 +1,269 @@
+#include "reference/twin/twin_player.h"
+
+#include <oneapi/tbb/blocked_range2d.h>
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+#include "host/base/error.h"
+#include "host/player/inputs.h"
+#include "host/player/uniforms.h"
+#include "reference/emit/emit_cpp.h"
+#include "reference/twin/channels.h"
+#include "reference/twin/deadline.h"
+#include "reference/twin/module.h"
+#include "reference/twin/quad_runner.h"
+
+namespace shadertwin::twin {
+namespace {
+
+constexpr int tile = 16;
+
+// What a pass draws into: one picture, or two that take turns when the previous one is still read.
+struct Target {
+  int width = 0;
+  int height = 0;
+  int faces = 1;
+  std::vector<std::vector<double>> wide;  // of the double twin
+  std::vector<Picture> pictures;
+  std::size_t front = 0;
+
+  std::size_t back() const { return (front + 1) % pictures.size(); }
+};
+
+struct PassState {
+  std::unique_ptr<Module> module;
+  Channels channels;
+  ChannelSizes sizes{};
+  Target target;
+};
+
+class TwinPlayerImpl final : public TwinPlayer {
+ public:
+  TwinPlayerImpl(const Project& project, const TwinOptions& options) : project_(project), options_(options) {
+    const std::vector<bool> history = passes_with_history(project_);
+    passes_.resize(project_.passes.size());
+    for (std::size_t i = 0; i < passes_.size(); ++i) {
+      if (project_.passes[i].kind == PassKind::sound) continue;
+      passes_[i].module = load(project_.passes[i]);
+      passes_[i].target.faces = project_.passes[i].kind == PassKind::cubemap ? 6 : 1;
+      passes_[i].target.pictures.resize(history[i] ? 2 : 1);
+      passes_[i].target.wide.resize(history[i] ? 2 : 1);
+    }
+    for (std::size_t i = 0; i < passes_.size(); ++i) bind_inputs(i);
+  }
+
+  void render(const Frame& frame) override {
+    const Deadline deadline(options_.timeout);
+    resize(frame.width, frame.height);
+    if (frame.index == 0) clear();
+    keyboard_.update(frame);
+    for (std::size_t i = 0; i < passes_.size(); ++i) {
+      if (passes_[i].module) draw(i, frame, deadline);
+    }
+  }
+
+  Image read(int pass) override {
+    const Target& target = passes_.at(static_cast<std::size_t>(pass)).target;
+    Image image(target.width, target.height * target.faces);
+    if (target.width != 0) target.pictures[target.front].copy_to(image.rgba.data());
+    return image;
+  }
+
+  DoubleImage read_double(int pass) override {
+    const Target& target = passes_.at(static_cast<std::size_t>(pass)).target;
+    if (options_.double_precision)
+      return {target.width, target.height * target.faces, target.wide[target.front]};
+    const Image image = read(pass);
+    return {image.width, image.height, {image.rgba.begin(), image.rgba.end()}};
+  }
+
+  void finish() override {}
+
+  std::string description() const override {
+    return std::string(options_.double_precision ? "cpu/double: " : "cpu: ") + compiler_.name();
+  }
+
+ private:
+  std::unique_ptr<Module> load(const Pass& pass) {
+    const CppOptions emit{options_.double_precision, options_.timeout > 0};
+    CompileOptions compile;
+    compile.uninitialised = options_.uninitialised;
+    compile.debug = options_.debug;
+    compile.double_precision = options_.double_precision;
+    // The cache is asked before the shader is parsed: the key is everything that the C++ follows from.
+    const std::string key = cache_key(project_, pass, emit);
+    const std::filesystem::path object = compiler_.object_path(key, compile);
+    if (std::filesystem::exists(object)) {
+      try {
+        return std::make_unique<Module>(object);
+      } catch (const Error&) {
+        // Damaged: compile it again.
+      }
+    }
+    compiler_.compile(emit_cpp(project_, pass, emit), object, compile);
+    return std::make_unique<Module>(object);
+  }
+
+  static std::string cache_key(const Project& project, const Pass& pass, const CppOptions& emit) {
+    std::string key =
+        std::string(emit.double_precision ? "double" : "float") + (emit.loop_guards ? " guarded" : "");
+    for (const std::string& file : project.files) key += '\n' + file;  // #line names them
+    for (const SourceLine& line : pass.source.lines)
+      key += '\n' + std::to_string(line.file) + ':' + std::to_string(line.line);
+    return key + '\n' + pass.source.text();
+  }
+
+  void bind_inputs(std::size_t index) {
+    PassState& state = passes_[index];
+    const Pass& pass = project_.passes[index];
+    for (std::size_t i = 0; i < max_channels; ++i) {
+      const Input& input = pass.inputs[i];
+      if (input.kind == InputKind::texture || input.kind == InputKind::cubemap ||
+          input.kind == InputKind::volume) {
+        const Picture& picture = pictures_.load(input);
+        state.channels.bind(i, picture, input.sampler);
+        state.sizes[i] = channel_size(project_, input, &picture.texture(), {0, 0});
+      } else if (input.kind == InputKind::keyboard) {
+        state.channels.bind_keyboard(i, keyboard_.picture());
+        state.sizes[i] = channel_size(project_, input, nullptr, {0, 0});
+      }
+    }
+  }
+
+  void resize(int width, int height) {
+    if (width == width_ && height == height_) return;
+    for (std::size_t i = 0; i < passes_.size(); ++i) {
+      Target& target = passes_[i].target;
+      const bool cube = target.faces == 6;
+      const int new_width = cube ? cubemap_pass_size : width;
+      const int new_height = cube ? cubemap_pass_size : height;
+      if (target.width == new_width && target.height == new_height) continue;
+      target.width = new_width;
+      target.height = new_height;
+      const std::size_t values = std::size_t{4} * new_width * new_height * target.faces;
+      const bool keeps = project_.dialect == Dialect::shadertoy;
+      for (Picture& picture : target.pictures) picture.resize(new_width, new_height, target.faces, keeps);
+      for (std::vector<double>& wide : target.wide) wide.assign(options_.double_precision ? values : 0, 0.0);
+    }
+    width_ = width;
+    height_ = height;
+    for (std::size_t i = 0; i < passes_.size(); ++i) {
+      for (std::size_t c = 0; c < max_channels; ++c) {
+        const Input& input = project_.passes[i].inputs[c];
+        if (input.kind == InputKind::pass)
+          passes_[i].sizes[c] = channel_size(project_, input, nullptr, {width, height});
+      }
+    }
+  }
+
+  void clear() {
+    for (PassState& state : passes_) {
+      for (Picture& picture : state.target.pictures) picture.clear();
+      for (std::vector<double>& wide : state.target.wide) std::fill(wide.begin(), wide.end(), 0.0);
+    }
+  }
+
+  void draw(std::size_t index, const Frame& frame, const Deadline& deadline) {
+    PassState& state = passes_[index];
+    Target& target = state.target;
+    const Pass& pass = project_.passes[index];
+    for (std::size_t i = 0; i < max_channels; ++i) {
+      if (pass.inputs[i].kind != InputKind::pass) continue;
+      const Target& source = passes_[static_cast<std::size_t>(pass.inputs[i].pass)].target;
+      state.channels.bind(i, source.pictures[source.front], pass.inputs[i].sampler);
+    }
+    state.channels.bind_keyboard(Channels::keyboard, keyboard_.picture());
+
+    const std::size_t back = target.back();
+    Picture& picture = target.pictures[back];
+    // The extension clears every target before it draws, which shows where a shader discards.
+    if (project_.dialect == Dialect::vscode) {
+      picture.clear();
+      std::fill(target.wide[back].begin(), target.wide[back].end(), 0.0);
+    }
+    const Uniforms values = uniforms_for(project_, pass, frame, {target.width, target.height}, state.sizes);
+    for (int face = 0; face < target.faces; ++face) draw_face(index, values, frame, face, deadline);
+    if (deadline.passed())
+      throw Error(ExitStatus::failed,
+                  pass.name + ": error: the time that --timeout gives a frame has run out");
+    if (options_.double_precision) picture.round_from(target.wide[back]);
+    picture.finish_drawing();
+    target.front = back;
+  }
+
+  void draw_face(std::size_t index, const Uniforms& values, const Frame& frame, int face,
+                 const Deadline& deadline) {
+    PassState& state = passes_[index];
+    Target& target = state.target;
+    UniformList uniforms(values, project_.uniforms, frame.uniforms);
+    uniforms.add("shadertwin_face", face);
+    state.channels.add_to(uniforms);
+
+    Rectangle region{0, 0, target.width, target.height};
+    if (options_.region && index + 1 == passes_.size()) region = clipped(*options_.region, target);
+    const std::size_t first = std::size_t{4} * target.width * target.height * static_cast<std::size_t>(face);
+    const std::size_t back = target.back();
+    Request whole;
+    whole.uniforms = uniforms.data();
+    whole.uniform_count = uniforms.size();
+    whole.row_pitch = std::ptrdiff_t{4} * target.width;
+    whole.quads = needs_quads(state);
+    whole.run_quad = QuadRunner::run;
+    whole.stop = &deadline.stop();
+    const auto draw_rectangle = [&](int x0, int y0, int x1, int y1) {
+      Request request = whole;
+      request.x0 = x0;
+      request.y0 = y0;
+      request.x1 = x1;
+      request.y1 = y1;
+      const std::size_t at = first + std::size_t{4} * (static_cast<std::size_t>(y0) * target.width + x0);
+      if (options_.double_precision)
+        request.pixels = target.wide[back].data() + at;
+      else
+        request.pixels = target.pictures[back].values() + at;
+      if (request.quads) request.quad_runner = &quad_runners_.local();
+      state.module->render(request);
+    };
+    if (options_.debug)
+      return draw_rectangle(region.x, region.y, region.x + region.width, region.y + region.height);
+    const oneapi::tbb::blocked_range2d<int> pixels(region.y, region.y + region.height, tile, region.x,
+                                                   region.x + region.width, tile);
+    oneapi::tbb::parallel_for(pixels, [&](const oneapi::tbb::blocked_range2d<int>& part) {
+      draw_rectangle(part.cols().begin(), part.rows().begin(), part.cols().end(), part.rows().end());
+    });
+  }
+
+  static bool needs_quads(const PassState& state) {
+    const Description& description = state.module->description();
+    return description.uses_derivatives || (description.uses_implicit_lod && state.channels.need_lod());
+  }
+
+  static Rectangle clipped(const Rectangle& region, const Target& target) {
+    const int x0 = std::clamp(region.x, 0, target.width);
+    const int y0 = std::clamp(region.y, 0, target.height);
+    return {x0, y0, std::clamp(region.x + region.width, x0, target.width) - x0,
+            std::clamp(region.y + region.height, y0, target.height) - y0};
+  }
+
+  Project project_;
+  TwinOptions options_;
+  Compiler compiler_;
+  PictureLibrary pictures_;
+  Keyboard keyboard_{project_.dialect};
+  std::vector<PassState> passes_;
+  oneapi::tbb::enumerable_thread_specific<QuadRunner> quad_runners_;
+  int width_ = 0;
+  int height_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<TwinPlayer> TwinPlayer::create(const Project& project, const TwinOptions& options) {
+  return std::make_unique<TwinPlayerImpl>(project, options);
+}
+
+}  // namespace shadertwin::twin

@@ -1,0 +1,45 @@
+// Plays a project on the CPU, as C++ compiled from its own GLSL.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/player/player.h"
+#include "host/project/project.h"
+#include "reference/twin/compiler.h"
+
+namespace shadertwin::twin {
+
+struct Rectangle {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+struct TwinOptions {
+  bool double_precision = false;
+  Uninitialised uninitialised = Uninitialised::zero;
+  bool debug = false;               // -O0 -g, one thread
+  std::optional<Rectangle> region;  // of the last pass; what lies outside is left zero
+  double timeout = 0;               // seconds for one frame; 0: none
+};
+
+// float32 RGBA like Image, in double.
+struct DoubleImage {
+  int width = 0;
+  int height = 0;
+  std::vector<double> rgba;
+};
+
+class TwinPlayer : public Player {
+ public:
+  // Translates and compiles every pass, or takes it from the cache, and loads every input. Throws
+  // Error(shader), Error(file), or Error(device) if there is no C++ compiler. render() throws Error(failed)
+  // on a timeout.
+  static std::unique_ptr<TwinPlayer> create(const Project& project, const TwinOptions& options = {});
+
+  // What pass `pass` drew last, before it was rounded to float32.
+  virtual DoubleImage read_double(int pass) = 0;
+};
+
+}  // namespace shadertwin::twin

@@ -1,0 +1,72 @@
+// Every construct of the language: the twin and llvmpipe give the same bits.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+#include <filesystem>
+
+#include "host/gl/gl_player.h"
+#include "host/player/fixed_clock.h"
+#include "reference/twin/twin_player.h"
+
+namespace shadertwin {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> shaders() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(fs::path(SHADERTWIN_SOURCE_DIR) / "tests/emit/shaders"))
+    files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+// NaNs have many encodings that no shader can tell apart.
+bool same_value(float a, float b) {
+  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b) || (a != a && b != b);
+}
+
+void expect_same(const Image& twin, const Image& gl) {
+  ASSERT_EQ(twin.rgba.size(), gl.rgba.size());
+  int different = 0;
+  for (int y = 0; y < gl.height; ++y) {
+    for (int x = 0; x < gl.width; ++x) {
+      for (int c = 0; c < 4; ++c) {
+        if (same_value(twin.at(x, y)[c], gl.at(x, y)[c]) || ++different > 4) continue;
+        ADD_FAILURE() << "pixel " << x << ", " << y << " channel " << c << ": twin " << twin.at(x, y)[c]
+                      << ", llvmpipe " << gl.at(x, y)[c];
+      }
+    }
+  }
+  EXPECT_EQ(different, 0) << "of " << gl.rgba.size() << " values";
+}
+
+class Language : public testing::TestWithParam<fs::path> {};
+
+TEST_P(Language, TwinAndLlvmpipeGiveTheSameBits) {
+  const Project project = load_project(GetParam());
+  const auto twin = twin::TwinPlayer::create(project);
+  const auto gl = gl::GlPlayer::create(gl::open_context("egl"), project, {gl::Dispatch::fragment});
+  Schedule schedule;
+  schedule.width = 17;
+  schedule.height = 9;
+  FixedClock clock(schedule, project.dialect);
+  for (int i = 0; i < 2; ++i) {
+    const Frame frame = clock.next();
+    twin->render(frame);
+    gl->render(frame);
+    const int last = static_cast<int>(project.passes.size()) - 1;
+    expect_same(twin->read(last), gl->read(last));
+  }
+}
+
+std::string shader_name(const testing::TestParamInfo<fs::path>& info) {
+  return info.param.stem().string();
+}
+
+INSTANTIATE_TEST_SUITE_P(, Language, testing::ValuesIn(shaders()), shader_name);
+
+}  // namespace
+}  // namespace shadertwin
