@@ -201,10 +201,12 @@ float max3(vec3 v)
     return max(max(v.x, v.y), v.z);
 }
 
-// False for NaN, infinities and whatever else a mean can't hold.
+// False for NaN, infinities and whatever else a mean can't hold. Sizes are compared as integers: Mesa turns "all are
+// less" into "none is greater or equal", which NaN passes.
 bool isPlausible(vec3 c)
 {
-    return all(greaterThanEqual(c, vec3(0.0))) && all(lessThan(c, vec3(1.0e30)));
+    uvec3 size = floatBitsToUint(c) & 0x7fffffffu;
+    return all(lessThan(size, uvec3(0x7149f2cau))) && all(greaterThanEqual(c, vec3(0.0)));
 }
 
 // IEC 61966-2-1, both ways, within 3e-7 of the exact curve for c in [0, 1].
@@ -467,7 +469,8 @@ Camera createCamera(vec3 eye, vec3 at, vec3 worldUp, float fovy, float aspect, f
     vec3 back = eye - at;
     vec3 n = directionOr(back, vec3(0.0, 0.0, 1.0));
     vec3 spare = abs(n.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, -1.0);
-    vec3 u = directionOr(cross(worldUp, n), normalize(cross(spare, n)));
+    vec3 right = directionOr(cross(directionOr(worldUp, spare), n), normalize(cross(spare, n)));
+    vec3 u = normalize(right - dot(right, n) * n);
     return createCameraFromVectors(eye, u, cross(n, u), n, max(length(back), 1.0e-6), fovy, aspect, aperture,
                                    focusDist, time0, time1);
 }
