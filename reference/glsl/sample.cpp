@@ -162,10 +162,11 @@ void sample(const TextureView& view, const SamplerState& state, const float* coo
   const bool linear = same || levels.minified ? state.min_linear : state.mag_linear;
   const bool second = (same || levels.minified) && levels.weight > 0.0F;
 
-  // llvmpipe filters RGBA8 with 8 bits of weight where the wrap is simple and no cube's edge has to be
-  // crossed.
+  // llvmpipe filters RGBA8 with 8 bits of weight where the wrap is simple, no cube's edge has to be crossed,
+  // and a choice between two filters is made for a whole quad.
   const bool fixed = !view.is_float && sampler.wrap != SamplerState::Wrap::mirror &&
-                     !(shape == Shape::cube && (state.min_linear || state.mag_linear));
+                     !(shape == Shape::cube && (state.min_linear || state.mag_linear)) &&
+                     (same || (request.kind == LodRequest::Kind::footprint && !request.own));
   Color color;
   if (fixed) {
     Bytes bytes = bytes_of_level<shape>(sampler, view.level[levels.first], linear);

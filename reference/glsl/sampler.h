@@ -42,6 +42,7 @@ struct LodRequest {
   Kind kind = Kind::footprint;
   float footprint = 0.0F;  // square of the longer of a pixel's two steps, in texels
   float level = 0.0F;      // the level, or the bias
+  bool own = false;        // the footprint is one pixel's, not its quad's
 };
 
 struct Sampling {
@@ -150,13 +151,13 @@ vec4 sampled(const BoundTexture& bound, Vector p, const LodRequest& lod, ivec3 o
 }
 
 SHADERTWIN_INLINE LodRequest request(Lod lod) {
-  return {LodRequest::Kind::footprint, lod.footprint, 0.0F};
+  return {LodRequest::Kind::footprint, lod.footprint, 0.0F, false};
 }
 SHADERTWIN_INLINE LodRequest request(Lod lod, Float bias) {
-  return {LodRequest::Kind::biased_footprint, lod.footprint, static_cast<float>(bias)};
+  return {LodRequest::Kind::biased_footprint, lod.footprint, static_cast<float>(bias), false};
 }
 SHADERTWIN_INLINE LodRequest request(Float level) {
-  return {LodRequest::Kind::level, 0.0F, static_cast<float>(level)};
+  return {LodRequest::Kind::level, 0.0F, static_cast<float>(level), true};
 }
 template <class Vector>
 LodRequest request(const BoundTexture& bound, Vector p, Vector dx, Vector dy) {
@@ -164,7 +165,7 @@ LodRequest request(const BoundTexture& bound, Vector p, Vector dx, Vector dy) {
   return {
       LodRequest::Kind::footprint,
       bound.sampling->footprint(*bound.view, coordinates(p).v, coordinates(dx).v, coordinates(dy).v, false),
-      0.0F};
+      0.0F, true};
 }
 
 inline ivec3 size_of(const BoundTexture& bound, int lod) {

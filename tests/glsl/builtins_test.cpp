@@ -2,14 +2,19 @@
 #include <gtest/gtest.h>
 
 #include "tests/glsl/builtin_cases.h"
-#include "tests/glsl/egl_draw.h"
+#include "tests/glsl/gl_draw.h"
 
 namespace shadertwin::glsl {
 namespace {
 
 class BuiltinsOnLlvmpipe : public testing::Test {
  protected:
-  static void SetUpTestSuite() { draw_ = new Draw(egl_draw()); }
+  static void SetUpTestSuite() {
+    draw_ =
+        new Draw([draw = std::make_shared<GlDraw>("egl")](const std::string& shader, int width, int height) {
+          return (*draw)(shader, width, height);
+        });
+  }
   static void TearDownTestSuite() { delete draw_; }
 
   static void expect_equal_bits(const std::vector<BuiltinCase>& cases) {
