@@ -5,7 +5,8 @@
 //
 // The arithmetic is shaped so that a CPU can repeat it bit for bit: no sin, cos, exp, log or pow built-ins, no product
 // of three factors or sum of three terms that ends in a literal (Mesa moves the literal), no a*b + a*c (Mesa factors
-// it), no (a + b) - a, no square of a square root (Mesa cancels them), no mix between literals, no chain of four.
+// it), no (a + b) - a, no square of a square root (Mesa cancels them), no mix between literals, no sum or product of
+// four (Mesa balances them; a division, a max or a difference stops it).
 
 #define COMMON_GLSL
 
@@ -501,8 +502,8 @@ Ray getRay(Camera cam, vec2 pixel_sample, vec3 xi)
     float time = cam.time0;
 #ifdef HAS_LENS
     vec2 lens = cam.lensRadius * sampleDisk(xi.xy);
-    origin = cam.eye + (lens.x * cam.u + lens.y * cam.v);
-    target = target - lens;
+    origin = cam.eye - (lens.x * cam.u + lens.y * cam.v);
+    target = target + lens;
 #endif
 #ifdef HAS_MOTION
     time = cam.time0 + xi.z * (cam.time1 - cam.time0);
@@ -659,7 +660,7 @@ vec3 fresnelConductor(float cosine, vec3 eta2, vec3 k2)
     vec3 sum2 = c2 * modulus + s2 * s2;
     vec3 product2 = product1 * s2;
     vec3 rp = (sum2 - product2) / (sum2 + product2);
-    return 0.5 * (rs + rs * rp);
+    return clamp(0.5 * (rs + rs * rp), 0.0, 1.0);
 }
 
 // Gulbrandsen 2014, "Artist Friendly Metallic Fresnel" (JCGT 3(4)): the complex index that has the reflectance F0 at
@@ -757,6 +758,13 @@ float V_Smith(float NoV, float NoL, float alpha)
 #else
     return V_SmithSchlickGGX(NoV, NoL, alpha);
 #endif
+}
+
+// The specular BRDF times cosine, Fresnel aside. Never negative; max also keeps Mesa from rebalancing its factors with
+// the caller's.
+float specularLobe(vec3 v, vec3 l, vec3 h, float alpha)
+{
+    return max(D_GGX(h, alpha) * (l.z * V_Smith(v.z, l.z, alpha)), 0.0);
 }
 
 // Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps".
@@ -1017,7 +1025,7 @@ vec3 evaluateLocal(Material m, vec3 v, vec3 l, inout float pdf)
     if (m.type == CONDUCTOR) {
         pdf = pdfMicrofacet(v, h, VoH, alpha);
         vec3 F = fresnelMetal(m.specColor, m.edgeColor, VoH) * energyCompensation(m.specColor, v.z, m.roughness);
-        return F * (D_GGX(h, alpha) * (l.z * V_Smith(v.z, l.z, alpha)));
+        return F * specularLobe(v, l, h, alpha);
     }
 #endif
     float cosinePdf = l.z * INV_PI;
@@ -1031,7 +1039,7 @@ vec3 evaluateLocal(Material m, vec3 v, vec3 l, inout float pdf)
 #else
         pdf = mix(cosinePdf, pdfMicrofacet(v, h, VoH, alpha), gloss);
         float F = fresnelReflectance(VoH, 1.0, m.refIdx);
-        return base + F * (D_GGX(h, alpha) * (l.z * V_Smith(v.z, l.z, alpha)));
+        return base + F * specularLobe(v, l, h, alpha);
 #endif
     }
 #endif
