@@ -12,7 +12,8 @@ namespace {
 
 constexpr double seconds_per_day = 86400.0;
 
-// iDate: the full year, month from 0, day from 1, seconds since midnight with their fraction.
+}  // namespace
+
 glm::vec4 shader_date(const Date& start, double elapsed) {
   using namespace std::chrono;
   const double total = start.seconds + elapsed;
@@ -25,8 +26,6 @@ glm::vec4 shader_date(const Date& start, double elapsed) {
           static_cast<float>(static_cast<unsigned>(date.day())),
           static_cast<float>(total - days_passed * seconds_per_day)};
 }
-
-}  // namespace
 
 Date Date::parse(const std::string& text) {
   Date date;

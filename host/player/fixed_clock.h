@@ -34,6 +34,10 @@ struct Date {
   static Date parse(const std::string& text);
 };
 
+// iDate `elapsed` seconds after `start`: the full year, month from 0, day from 1, seconds since midnight with
+// their fraction.
+glm::vec4 shader_date(const Date& start, double elapsed);
+
 struct Schedule {
   int width = 640;
   int height = 360;
