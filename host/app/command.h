@@ -9,5 +9,6 @@ namespace shadertwin::app {
 void add_compare(CLI::App& app);
 void add_devices(CLI::App& app);
 void add_render(CLI::App& app);
+void add_view(CLI::App& app);
 
 }  // namespace shadertwin::app

@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit status: 0 done; 1 a comparison or check failed; 2 wrong usage; 3 the shader doesn't compile;\n"
       "4 a file can't be read or written; 5 no way to run here.");
+  shadertwin::app::add_view(app);
   shadertwin::app::add_render(app);
   shadertwin::app::add_compare(app);
   shadertwin::app::add_devices(app);

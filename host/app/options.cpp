@@ -52,32 +52,40 @@ MouseStep parse_mouse(const std::string& text) {
   return step;
 }
 
+void add_repeated(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                  const std::string& help) {
+  command.add_option(name, values, help)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 }  // namespace
 
-void add_play_options(CLI::App& command, PlayOptions& o) {
-  const auto repeated = [&command](const std::string& name, std::vector<std::string>& values,
-                                   const std::string& help) {
-    command.add_option(name, values, help)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  };
+void add_shader_options(CLI::App& command, PlayOptions& o) {
   command
       .add_option("SHADER", o.shader,
                   "a .glsl file (other passes by #iChannel) or a folder of Shadertoy tabs")
       ->required();
   command.add_option("--size", o.size, "picture size in pixels, WIDTHxHEIGHT");
-  command.add_option("--frames", o.frames, "how many frames to draw");
   command.add_option("--fps", o.fps, "frames a second of shader time");
   command.add_option("--time", o.time, "iTime of the first frame, seconds");
   command.add_option("--date", o.date, "iDate of the first frame, YYYY-MM-DDTHH:MM:SS (2024-01-01T00:00:00)");
-  repeated("--mouse", o.mouse,
-           "X,Y[,down][@FRAME]: the mouse was clicked (or, with down, is held) there from that frame on, in "
-           "pixels from the lower left; repeat it for a drag");
-  repeated("--keys", o.keys, "NAME[@FRAME],...: keys held from that frame on (a, 7, space, left, f1, ...)");
-  repeated("-D,--define", o.defines, "NAME[=VALUE]: #define in front of every pass; sets a shader's knob");
+  add_repeated(command, "-D,--define", o.defines,
+               "NAME[=VALUE]: #define in front of every pass; sets a shader's knob");
   command.add_option("--seed", o.seed, "the same as -D SEED=N: another stream of random numbers");
   command.add_option("--pass", o.pass,
                      "the pass to show instead of the last one (\"Buffer A\", buffera, P3D_RT)");
-  command.add_option("--json", o.json, "also write a report to this file");
   command.add_flag("--quiet", o.quiet, "no warnings and no progress bar");
+}
+
+void add_play_options(CLI::App& command, PlayOptions& o) {
+  add_shader_options(command, o);
+  command.add_option("--frames", o.frames, "how many frames to draw");
+  add_repeated(
+      command, "--mouse", o.mouse,
+      "X,Y[,down][@FRAME]: the mouse was clicked (or, with down, is held) there from that frame on, in "
+      "pixels from the lower left; repeat it for a drag");
+  add_repeated(command, "--keys", o.keys,
+               "NAME[@FRAME],...: keys held from that frame on (a, 7, space, left, f1, ...)");
+  command.add_option("--json", o.json, "also write a report to this file");
 }
 
 void add_on_option(CLI::App& command, PlayOptions& o) {

@@ -27,7 +27,10 @@ struct PlayOptions {
   std::string seed;
 };
 
-// Adds SHADER and the options; `on` is left out for subcommands that name their players otherwise.
+// SHADER and the options of every subcommand that plays one.
+void add_shader_options(CLI::App& command, PlayOptions& options);
+// Those and how many frames, with what mouse and keys. `on` is left out for subcommands that name their
+// players otherwise.
 void add_play_options(CLI::App& command, PlayOptions& options);
 void add_on_option(CLI::App& command, PlayOptions& options);
 

@@ -7,16 +7,19 @@
 
 namespace shadertwin::app {
 
-std::unique_ptr<Player> open_player(const std::string& on, const Project& project, bool quiet) {
+gl::Dispatch dispatch_of(const std::string& on) {
   const std::size_t slash = on.find('/');
-  const std::string device = on.substr(0, slash);
+  if (slash == std::string::npos) return gl::Dispatch::automatic;
+  const std::string how = on.substr(slash + 1);
+  if (how != "fragment" && how != "compute")
+    throw Error(ExitStatus::usage, "--on " + on + ": expected /fragment or /compute");
+  return how == "compute" ? gl::Dispatch::compute : gl::Dispatch::fragment;
+}
+
+std::unique_ptr<Player> open_player(const std::string& on, const Project& project, bool quiet) {
   gl::PlayerOptions options;
-  if (slash != std::string::npos) {
-    const std::string how = on.substr(slash + 1);
-    if (how != "fragment" && how != "compute")
-      throw Error(ExitStatus::usage, "--on " + on + ": expected /fragment or /compute");
-    options.dispatch = how == "compute" ? gl::Dispatch::compute : gl::Dispatch::fragment;
-  }
+  options.dispatch = dispatch_of(on);
+  const std::string device = on.substr(0, on.find('/'));
   auto player = gl::GlPlayer::create(gl::open_context(device), project, options);
   if (!quiet)
     for (const std::string& warning : player->warnings()) std::fprintf(stderr, "%s\n", warning.c_str());

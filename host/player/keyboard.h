@@ -21,6 +21,7 @@ class Keyboard {
 
   void press(int code);  // repeats of a key that is held are ignored
   void release(int code);
+  bool held(int code) const { return rows_[static_cast<std::size_t>(code)] != 0; }
   const Rows& rows() const { return rows_; }
   // Forgets what was pressed and released; to be called when a frame has seen it.
   void end_frame();
