@@ -172,7 +172,7 @@ vec3 background(vec3 d)
 {
 #if BACKGROUND == 0
     // The report's gradient runs on above the horizon: its parameter reaches 1.6 at the zenith.
-    return mix(vec3(1.0), OPAQUE(vec3(0.5, 0.7, 1.0)), 0.8 * (d.y + 1.0));
+    return lerp(vec3(1.0), OPAQUE(vec3(0.5, 0.7, 1.0)), 0.8 * (d.y + 1.0));
 #elif BACKGROUND == 1
     return toLinear(textureLod(iChannel1, d, 0.0).rgb);
 #elif BACKGROUND == 2

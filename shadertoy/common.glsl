@@ -5,7 +5,7 @@
 //
 // The arithmetic is shaped so that a CPU can repeat it bit for bit: no sin, cos, exp, log or pow built-ins, no product
 // of three factors or sum of three terms that ends in a literal (Mesa moves the literal), no a*b + a*c (Mesa factors
-// it), no (a + b) - a, no square of a square root (Mesa cancels them), no mix between literals, no sum or product of
+// it), no (a + b) - a, no square of a square root (Mesa cancels them), no mix (Mesa picks one of two ways), no sum or product of
 // four (Mesa balances them; a division, a max or a difference stops it).
 
 #define COMMON_GLSL
@@ -195,6 +195,17 @@ vec2 sinCosTurn(float u)
     int q = int(quadrant);
     vec2 sc = (q & 1) == 0 ? vec2(s, c) : vec2(c, -s);
     return (q & 2) == 0 ? sc : -sc;
+}
+
+// From a to b as t goes from 0 to 1, in the one order that mix leaves open.
+float lerp(float a, float b, float t)
+{
+    return a + t * (b - a);
+}
+
+vec3 lerp(vec3 a, vec3 b, float t)
+{
+    return a + t * (b - a);
 }
 
 float max3(vec3 v)
@@ -863,7 +874,7 @@ float ggxAlbedo(float NoV, float roughness)
     ivec2 cell = min(ivec2(at), ivec2(14, 30));
     vec2 f = at - vec2(cell);
     int i = cell.y * 16 + cell.x;
-    return mix(mix(GGX_ALBEDO[i], GGX_ALBEDO[i + 1], f.x), mix(GGX_ALBEDO[i + 16], GGX_ALBEDO[i + 17], f.x), f.y);
+    return lerp(lerp(GGX_ALBEDO[i], GGX_ALBEDO[i + 1], f.x), lerp(GGX_ALBEDO[i + 16], GGX_ALBEDO[i + 17], f.x), f.y);
 }
 
 // Turquin 2019, "Practical Multiple Scattering Compensation for Microfacet Models", equation 16.
@@ -935,7 +946,7 @@ float glossAlbedo(float NoV, float roughness)
     vec2 f = at - vec2(cell);
     int i = cell.y * 16 + cell.x;
     float ratio =
-        mix(mix(GLOSS_ALBEDO[i], GLOSS_ALBEDO[i + 1], f.x), mix(GLOSS_ALBEDO[i + 16], GLOSS_ALBEDO[i + 17], f.x), f.y);
+        lerp(lerp(GLOSS_ALBEDO[i], GLOSS_ALBEDO[i + 1], f.x), lerp(GLOSS_ALBEDO[i + 16], GLOSS_ALBEDO[i + 17], f.x), f.y);
     return min(ratio * fresnelDielectric(NoV, 1.0, 1.5), 1.0);
 }
 
@@ -943,7 +954,7 @@ float glossMean(float roughness)
 {
     float at = 31.0 * clamp(roughness, 0.0, 1.0);
     int i = min(int(at), 30);
-    return mix(GLOSS_MEAN[i], GLOSS_MEAN[i + 1], at - float(i));
+    return lerp(GLOSS_MEAN[i], GLOSS_MEAN[i + 1], at - float(i));
 }
 #endif
 
@@ -1037,7 +1048,7 @@ vec3 evaluateLocal(Material m, vec3 v, vec3 l, inout float pdf)
         pdf = (1.0 - gloss) * cosinePdf;
         return base;
 #else
-        pdf = mix(cosinePdf, pdfMicrofacet(v, h, VoH, alpha), gloss);
+        pdf = lerp(cosinePdf, pdfMicrofacet(v, h, VoH, alpha), gloss);
         float F = fresnelReflectance(VoH, 1.0, m.refIdx);
         return base + F * specularLobe(v, l, h, alpha);
 #endif

@@ -59,7 +59,7 @@ vec3 toneMap(vec3 c)
     }
     float bent = 1.0 - 0.0576 / (peak - 0.52);
     float white = 1.0 - 1.0 / (0.15 * (peak - bent) + 1.0);
-    return mix(x * (bent / peak), vec3(bent), white);
+    return lerp(x * (bent / peak), vec3(bent), white);
 #endif
 }
 
