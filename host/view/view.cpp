@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <optional>
@@ -406,7 +407,7 @@ class View {
     if (reloading_since_.has_value() && !waiting_) {
       const double ms = std::chrono::duration<double, std::milli>(Clock::now() - *reloading_since_).count();
       reloading_since_.reset();
-      notice(stem_of(shader_) + ": reloaded in " + std::to_string(static_cast<int>(ms + 0.5)) + " ms");
+      notice(stem_of(shader_) + ": reloaded in " + std::to_string(std::lround(ms)) + " ms");
     }
     // Where the display does not hold the swap back (off screen, say), frames must not come faster than it
     // shows them.
