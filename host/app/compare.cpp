@@ -88,8 +88,8 @@ void run_compare(const CompareOptions& options) {
     throw Error(ExitStatus::usage, "compare needs --on twice, once for each of the two players");
   const Schedule schedule = make_schedule(options);
   const Project project = load(options);
-  const auto a = open_player(options.players[0], project, options.quiet);
-  const auto b = open_player(options.players[1], project, options.quiet);
+  const auto a = open_player(options.players[0], project, options);
+  const auto b = open_player(options.players[1], project, options);
   FixedClock clock(schedule, project.dialect);
 
   const int only = options.pass.empty() ? -1 : chosen_pass(project, options);

@@ -73,6 +73,13 @@ void add_shader_options(CLI::App& command, PlayOptions& o) {
   command.add_option("--seed", o.seed, "the same as -D SEED=N: another stream of random numbers");
   command.add_option("--pass", o.pass,
                      "the pass to show instead of the last one (\"Buffer A\", buffera, P3D_RT)");
+  command.add_option(
+      "--tile", o.tile,
+      "X,Y,WIDTH,HEIGHT: with --on cpu, draw only these pixels of the last pass, from the lower left");
+  command
+      .add_option("--timeout", o.timeout,
+                  "with --on cpu, give up on a frame after so many seconds (0: never)")
+      ->check(CLI::NonNegativeNumber);
   command.add_flag("--quiet", o.quiet, "no warnings and no progress bar");
 }
 
@@ -89,9 +96,20 @@ void add_play_options(CLI::App& command, PlayOptions& o) {
 }
 
 void add_on_option(CLI::App& command, PlayOptions& o) {
-  command.add_option(
-      "--on", o.on,
-      "auto, egl, egl:N (shadertwin devices lists them) or osmesa; /fragment or /compute may follow");
+  command.add_option("--on", o.on,
+                     "auto, egl, egl:N (shadertwin devices lists them) or osmesa, and /fragment or /compute "
+                     "if wanted; or cpu or "
+                     "cpu/double, the twin");
+}
+
+TileRegion parse_tile(const std::string& text) {
+  const auto parts = split(text, ',');
+  TileRegion tile;
+  const bool valid = parts.size() == 4 && read_number(parts[0], tile.x) && read_number(parts[1], tile.y) &&
+                     read_number(parts[2], tile.width) && read_number(parts[3], tile.height) && tile.x >= 0 &&
+                     tile.y >= 0 && tile.width > 0 && tile.height > 0;
+  if (!valid) throw Error(ExitStatus::usage, "--tile " + text + ": expected X,Y,WIDTH,HEIGHT in pixels");
+  return tile;
 }
 
 Schedule make_schedule(const PlayOptions& o) {

@@ -23,6 +23,8 @@ struct PlayOptions {
   std::vector<std::string> defines;
   std::string pass;
   std::string json;
+  std::string tile;
+  double timeout = 0.0;
   bool quiet = false;
   std::string seed;
 };
@@ -33,6 +35,16 @@ void add_shader_options(CLI::App& command, PlayOptions& options);
 // players otherwise.
 void add_play_options(CLI::App& command, PlayOptions& options);
 void add_on_option(CLI::App& command, PlayOptions& options);
+
+// A rectangle of pixels from the lower left.
+struct TileRegion {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+};
+// Reads X,Y,WIDTH,HEIGHT. Throws Error(usage).
+TileRegion parse_tile(const std::string& text);
 
 // All three throw Error(usage) on a value that makes no sense.
 Schedule make_schedule(const PlayOptions& options);

@@ -4,8 +4,37 @@
 
 #include "host/base/error.h"
 #include "host/gl/gl_player.h"
+#include "reference/twin/twin_player.h"
 
 namespace shadertwin::app {
+
+namespace {
+
+std::unique_ptr<Player> open_gl(const std::string& on, const Project& project, bool quiet) {
+  const std::string device = on.substr(0, on.find('/'));
+  gl::PlayerOptions options;
+  options.dispatch = dispatch_of(on);
+  auto player = gl::GlPlayer::create(gl::open_context(device), project, options);
+  if (!quiet)
+    for (const std::string& warning : player->warnings()) std::fprintf(stderr, "%s\n", warning.c_str());
+  return player;
+}
+
+std::unique_ptr<Player> open_twin(const std::string& how, const Project& project,
+                                  const PlayOptions& options) {
+  if (!how.empty() && how != "double")
+    throw Error(ExitStatus::usage, "--on cpu/" + how + ": expected cpu or cpu/double");
+  twin::TwinOptions twin_options;
+  twin_options.double_precision = how == "double";
+  twin_options.timeout = options.timeout;
+  if (!options.tile.empty()) {
+    const TileRegion tile = parse_tile(options.tile);
+    twin_options.region = twin::Rectangle{tile.x, tile.y, tile.width, tile.height};
+  }
+  return twin::TwinPlayer::create(project, twin_options);
+}
+
+}  // namespace
 
 gl::Dispatch dispatch_of(const std::string& on) {
   const std::size_t slash = on.find('/');
@@ -16,14 +45,15 @@ gl::Dispatch dispatch_of(const std::string& on) {
   return how == "compute" ? gl::Dispatch::compute : gl::Dispatch::fragment;
 }
 
-std::unique_ptr<Player> open_player(const std::string& on, const Project& project, bool quiet) {
-  gl::PlayerOptions options;
-  options.dispatch = dispatch_of(on);
-  const std::string device = on.substr(0, on.find('/'));
-  auto player = gl::GlPlayer::create(gl::open_context(device), project, options);
-  if (!quiet)
-    for (const std::string& warning : player->warnings()) std::fprintf(stderr, "%s\n", warning.c_str());
-  return player;
+std::unique_ptr<Player> open_player(const std::string& on, const Project& project,
+                                    const PlayOptions& options) {
+  const std::size_t slash = on.find('/');
+  const std::string device = on.substr(0, slash);
+  const std::string how = slash == std::string::npos ? "" : on.substr(slash + 1);
+  if (device == "cpu") return open_twin(how, project, options);
+  if (!options.tile.empty() || options.timeout > 0.0)
+    throw Error(ExitStatus::usage, "--tile and --timeout are for --on cpu only");
+  return open_gl(on, project, options.quiet);
 }
 
 }  // namespace shadertwin::app

@@ -107,7 +107,7 @@ void render(const RenderOptions& options) {
   const Output output(options.output);
   const Project project = load(options);
   const int shown = chosen_pass(project, options);
-  const auto player = open_player(options.on, project, options.quiet);
+  const auto player = open_player(options.on, project, options);
 
   FixedClock clock(schedule, project.dialect);
   Batch batch;

@@ -43,9 +43,7 @@ void run(const ViewCommand& o) {
   if (o.on == "auto" || o.on.starts_with("auto/"))
     options.player.dispatch = dispatch_of(o.on);
   else
-    options.other_player = [on = o.on, quiet = o.quiet](const Project& project) {
-      return open_player(on, project, quiet);
-    };
+    options.other_player = [o](const Project& project) { return open_player(o.on, project, o); };
   view::run_view(options);
 }
 

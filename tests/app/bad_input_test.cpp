@@ -54,6 +54,9 @@ TEST_F(BadInput, CommandLine) {
   expect(2, "ok.glsl --on vulkan", {"vulkan"});
   expect(2, "ok.glsl --on egl/quick", {"/fragment or /compute"});
   expect(5, "ok.glsl --on egl:99", {"egl:99"});
+  expect(2, "ok.glsl --on cpu/quick", {"cpu/double"});
+  expect(2, "ok.glsl --on cpu --tile 1,2,3", {"--tile 1,2,3"});
+  expect(2, "ok.glsl --on egl --tile 1,2,3,4", {"--tile"});
   EXPECT_EQ(run(folder, "render").status, 2);
   EXPECT_EQ(run(folder, "").status, 2);
   EXPECT_EQ(run(folder, "dance").status, 2);

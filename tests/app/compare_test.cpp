@@ -46,6 +46,29 @@ TEST_F(CompareCommand, PassLimitsTheComparison) {
   EXPECT_EQ(nlohmann::json::parse(contents(folder / "r.json"))["passes"].size(), 1U);
 }
 
+TEST_F(CompareCommand, TwinGivesTheBitsOfLlvmpipe) {
+  const Outcome outcome =
+      run(folder, "compare main.glsl --on egl --on cpu --size 32x18 --frames 5 --max-ulp 0 --min-equal 100");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
+TEST_F(CompareCommand, ExitsWithOneBeyondTheLimitsAndSaysWhere) {
+  const std::string command =
+      "compare main.glsl --on cpu --on cpu/double --size 32x18 --frames 20 --heatmap h.png ";
+  const Outcome within = run(folder, command + "--json r.json");
+  EXPECT_EQ(within.status, 0) << within.err;
+  EXPECT_NE(within.out.find("cpu/double"), std::string::npos) << within.out;
+  const auto report = nlohmann::json::parse(contents(folder / "r.json"));
+  EXPECT_GT(report["passes"][0]["channels"]["r"]["ulp_max"], 0);
+  EXPECT_LT(report["passes"][0]["channels"]["r"]["ulp_max"], 64);  // 20 roundings of a growing sum
+  const Image map = read_image(folder / "h.png");
+  EXPECT_GT(*std::max_element(map.rgba.begin(), map.rgba.end() - 1), 0.0F);
+  const Outcome beyond = run(folder, command + "--max-ulp 0");
+  EXPECT_EQ(beyond.status, 1);
+  EXPECT_EQ(beyond.error_lines(), 1) << beyond.err;
+  EXPECT_EQ(run(folder, command + "--min-equal 100").status, 1);
+}
+
 TEST_F(CompareCommand, NeedsTwoPlayers) {
   EXPECT_EQ(run(folder, "compare main.glsl").status, 2);
   EXPECT_EQ(run(folder, "compare main.glsl --on egl").status, 2);

@@ -35,6 +35,27 @@ TEST_F(Render, EglAndOsmesaAgree) {
   EXPECT_EQ(read_image(folder / "a.exr").rgba, read_image(folder / "b.exr").rgba);
 }
 
+TEST_F(Render, TileDrawsOnlyItsPixelsOnTheTwin) {
+  folder.write("plain.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(p, 1, 1); }");
+  ASSERT_EQ(run(folder, "render plain.glsl --on cpu --tile 3,2,4,5 --size 16x9 -o a.exr").err, "");
+  const Image image = read_image(folder / "a.exr");
+  for (int y = 0; y < 9; ++y)
+    for (int x = 0; x < 16; ++x) {
+      const bool inside = x >= 3 && x < 7 && y >= 2 && y < 7;
+      EXPECT_EQ(image.at(x, y)[0], inside ? static_cast<float>(x) + 0.5F : 0.0F) << x << ", " << y;
+    }
+}
+
+TEST_F(Render, TimeoutEndsAnEndlessLoopOnTheTwin) {
+  folder.write("endless.glsl",
+               "void mainImage(out vec4 c, in vec2 p) {\n"
+               "  float x = 0.;\n  while (x < 1.) x *= .5;\n  c = vec4(x);\n}\n");
+  const Outcome outcome = run(folder, "render endless.glsl --on cpu --timeout 0.5 --size 4x4 -o a.exr");
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_EQ(outcome.error_lines(), 1) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.exr"));
+}
+
 TEST_F(Render, SequenceNumbersEveryFrameAndEndsLikeTheSinglePicture) {
   ASSERT_EQ(run(folder, "render wave.glsl --size 16x9 --frames 3 -o frame_%03d.exr").err, "");
   ASSERT_EQ(run(folder, "render wave.glsl --size 16x9 --frames 3 -o last.exr").err, "");
