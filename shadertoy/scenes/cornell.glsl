@@ -31,7 +31,7 @@
 #define QUADS 6
 #define QUAD_LIGHTS 1
 #define SCENE_BACKGROUND 3
-#define SCENE_EXPOSURE -1.8
+#define SCENE_EXPOSURE -2.1
 #endif
 #ifndef SPHERES
 #if CORNELL == 2
