@@ -3,7 +3,7 @@
 
 #include "reference/glsl/exponential.h"
 
-namespace shadertwin::glsl {
+namespace shadertwin::glsl::inline SHADERTWIN_PRECISION {
 
 // --- Magnitude and rounding
 // ---------------------------------------------------------------------------------
@@ -260,4 +260,4 @@ inline vec2 unpackSnorm2x16(uint p) {
   return min(max(scaled / Float(32767), Float(-1)), Float(1));
 }
 
-}  // namespace shadertwin::glsl
+}  // namespace shadertwin::glsl::inline SHADERTWIN_PRECISION

@@ -8,7 +8,7 @@
 #include "reference/glsl/componentwise.h"
 #include "reference/glsl/lanes.h"
 
-namespace shadertwin::glsl {
+namespace shadertwin::glsl::inline SHADERTWIN_PRECISION {
 
 // --- Roots
 // --------------------------------------------------------------------------------------------------
@@ -134,4 +134,4 @@ SHADERTWIN_SPREAD_1(log2, log2_of)
 SHADERTWIN_SPREAD_1(log, log_of)
 SHADERTWIN_SPREAD_2(pow, pow_of)
 
-}  // namespace shadertwin::glsl
+}  // namespace shadertwin::glsl::inline SHADERTWIN_PRECISION

@@ -9,6 +9,7 @@
 #include "reference/glsl/common.h"        // IWYU pragma: export
 #include "reference/glsl/exponential.h"   // IWYU pragma: export
 #include "reference/glsl/integer.h"       // IWYU pragma: export
+#include "reference/glsl/probes.h"        // IWYU pragma: export
 #include "reference/glsl/sampler.h"       // IWYU pragma: export
 #include "reference/glsl/trigonometry.h"  // IWYU pragma: export
 #include "reference/glsl/types.h"         // IWYU pragma: export

@@ -4,7 +4,7 @@
 
 #include "reference/glsl/componentwise.h"
 
-namespace shadertwin::glsl {
+namespace shadertwin::glsl::inline SHADERTWIN_PRECISION {
 
 // --- Division
 // -----------------------------------------------------------------------------------------------
@@ -143,4 +143,4 @@ SHADERTWIN_INLINE bvec4 not_(bvec4 v) {
   return bvec4(!v.x, !v.y, !v.z, !v.w);
 }
 
-}  // namespace shadertwin::glsl
+}  // namespace shadertwin::glsl::inline SHADERTWIN_PRECISION

@@ -9,7 +9,7 @@
 
 #include "reference/glsl/componentwise.h"
 
-namespace shadertwin::glsl::detail {
+namespace shadertwin::glsl::inline SHADERTWIN_PRECISION::detail {
 
 constexpr Float infinity = std::numeric_limits<Float>::infinity();
 constexpr Float nan = std::numeric_limits<Float>::quiet_NaN();
@@ -174,7 +174,7 @@ SHADERTWIN_INLINE Float first_if_greater(Float a, Float b) {
 }
 #endif
 
-}  // namespace shadertwin::glsl::detail
+}  // namespace shadertwin::glsl::inline SHADERTWIN_PRECISION::detail
 
 // Calls a template detail::implementation<F> for an argument of type T: Float or vecN.
 #ifdef SHADERTWIN_LANES

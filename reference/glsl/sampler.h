@@ -117,6 +117,10 @@ inline bool needs_lod(const samplerCube& s) {
   return needs_lod(s.bound);
 }
 
+}  // namespace shadertwin::glsl
+
+namespace shadertwin::glsl::inline SHADERTWIN_PRECISION {
+
 namespace detail {
 
 struct Coordinates {
@@ -312,4 +316,4 @@ SHADERTWIN_SAMPLE_PROJECTED(sampler2D, vec4, vec2, ivec2)
 SHADERTWIN_SAMPLE_PROJECTED(sampler3D, vec4, vec3, ivec3)
 #undef SHADERTWIN_SAMPLE_PROJECTED
 
-}  // namespace shadertwin::glsl
+}  // namespace shadertwin::glsl::inline SHADERTWIN_PRECISION

@@ -7,7 +7,7 @@
 
 #include "reference/glsl/exponential.h"
 
-namespace shadertwin::glsl {
+namespace shadertwin::glsl::inline SHADERTWIN_PRECISION {
 
 namespace detail {
 
@@ -92,17 +92,17 @@ SHADERTWIN_INLINE F asin_with(F x, float p0, float p1) {
   return sign_of<F>(x) * (half_pi - root(1.0F - m) * p);
 }
 template <class F>
-inline F asin_of(F x) {
+SHADERTWIN_OUTLINE F asin_of(F x) {
   return asin_with<F>(x, 0.086566724F, -0.03102955F);
 }
 template <class F>
-inline F acos_of(F x) {
+SHADERTWIN_OUTLINE F acos_of(F x) {
   return half_pi - asin_with<F>(x, 0.08132463F, -0.02363318F);
 }
 
 // The last product is associated as Mesa's optimiser does it: nothing else uses x^11.
 template <class F>
-inline F atan_of(F y_over_x) {
+SHADERTWIN_OUTLINE F atan_of(F y_over_x) {
   const F m = magnitude_of(y_over_x);
   const F one = constant<F>(1.0F);
   const F x = first_if_less(m, one) / first_if_greater(m, one);
@@ -118,7 +118,7 @@ inline F atan_of(F y_over_x) {
 
 // The left half-plane is turned by pi/2, so that no division by zero lies along x = 0.
 template <class F>
-inline F atan2_of(F y, F x) {
+SHADERTWIN_OUTLINE F atan2_of(F y, F x) {
   const auto flip = x <= 0.0F;
   const F s = select(flip, magnitude_of(x), y);
   const F t = select(flip, y, magnitude_of(x));
@@ -131,30 +131,30 @@ inline F atan2_of(F y, F x) {
 }
 
 template <class F>
-inline F sinh_of(F x) {
+SHADERTWIN_OUTLINE F sinh_of(F x) {
   return 0.5F * (exp_of<F>(x) - exp_of<F>(negated(x)));
 }
 template <class F>
-inline F cosh_of(F x) {
+SHADERTWIN_OUTLINE F cosh_of(F x) {
   return 0.5F * (exp_of<F>(x) + exp_of<F>(negated(x)));
 }
 template <class F>
-inline F tanh_of(F x) {
+SHADERTWIN_OUTLINE F tanh_of(F x) {
   const F t = first_if_less(first_if_greater(x, constant<F>(-10.0F)), constant<F>(10.0F));
   const F up = exp_of<F>(t);
   const F down = exp_of<F>(negated(t));
   return (up - down) / (up + down);
 }
 template <class F>
-inline F asinh_of(F x) {
+SHADERTWIN_OUTLINE F asinh_of(F x) {
   return sign_of<F>(x) * log_of<F>(magnitude_of(x) + root(x * x + 1.0F));
 }
 template <class F>
-inline F acosh_of(F x) {
+SHADERTWIN_OUTLINE F acosh_of(F x) {
   return log_of<F>(x + root(x * x - 1.0F));
 }
 template <class F>
-inline F atanh_of(F x) {
+SHADERTWIN_OUTLINE F atanh_of(F x) {
   return 0.5F * log_of<F>((1.0F + x) / (1.0F - x));
 }
 
@@ -228,4 +228,4 @@ SHADERTWIN_SPREAD_1(asinh, asinh_of)
 SHADERTWIN_SPREAD_1(acosh, acosh_of)
 SHADERTWIN_SPREAD_1(atanh, atanh_of)
 
-}  // namespace shadertwin::glsl
+}  // namespace shadertwin::glsl::inline SHADERTWIN_PRECISION

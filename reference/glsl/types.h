@@ -36,10 +36,19 @@
 #endif
 #endif
 
+// Floats and doubles live in inline namespaces of their own, so that one program can hold both.
+#ifdef SHADERTWIN_DOUBLE
+#define SHADERTWIN_PRECISION as_double
+#else
+#define SHADERTWIN_PRECISION as_float
+#endif
+
 // Small enough that a call would cost more than the work.
 #define SHADERTWIN_INLINE [[gnu::always_inline]] inline
+// Long and rare. GCC 12 also stumbles (an internal error of its SLP pass) over atan2 inlined with constant arguments.
+#define SHADERTWIN_OUTLINE [[gnu::noinline]]
 
-namespace shadertwin::glsl {
+namespace shadertwin::glsl::inline SHADERTWIN_PRECISION {
 
 #ifdef SHADERTWIN_DOUBLE
 using Float = double;
@@ -305,4 +314,4 @@ SHADERTWIN_INLINE T make(const First& first, const Rest&... rest) {
   }
 }
 
-}  // namespace shadertwin::glsl
+}  // namespace shadertwin::glsl::inline SHADERTWIN_PRECISION

@@ -4,7 +4,7 @@
 
 #include "reference/glsl/common.h"
 
-namespace shadertwin::glsl {
+namespace shadertwin::glsl::inline SHADERTWIN_PRECISION {
 
 // --- Geometry
 // -----------------------------------------------------------------------------------------------
@@ -272,4 +272,4 @@ inline mat4 inverse(const mat4& m) {
               vec4(first.z, -y.z, z.z, -w.z) / det, vec4(first.w, y.w, -z.w, w.w) / det);
 }
 
-}  // namespace shadertwin::glsl
+}  // namespace shadertwin::glsl::inline SHADERTWIN_PRECISION
