@@ -87,6 +87,7 @@ CppExpressions::Text CppExpressions::builtin_call(const TIntermAggregate& node) 
     prelude_.push_back(swizzle_target(swizzle_of(whole)) + " = " + part + ";");
     return fraction;
   }
+  if (const Text special = special_case(node); !special.text.empty()) return special;
   return {name + "(" + arguments(sequence) + ")", Binding::postfix};
 }
 

@@ -140,6 +140,10 @@ std::vector<CppExpressions::Text> CppExpressions::in_order(const std::vector<con
 std::string CppExpressions::arguments(const TIntermSequence& sequence) {
   std::vector<const TIntermTyped*> operands;
   for (const TIntermNode* node : sequence) operands.push_back(node->getAsTyped());
+  return arguments(operands);
+}
+
+std::string CppExpressions::arguments(const std::vector<const TIntermTyped*>& operands) {
   std::string text;
   for (const Text& operand : in_order(operands))
     text += (text.empty() ? "" : ", ") + operand.at_least(Binding::assignment);

@@ -59,6 +59,8 @@ class CppExpressions {
   Text aggregate(const glslang::TIntermAggregate& node, bool wants_value);
   Text constructor(const glslang::TIntermAggregate& node);
   Text builtin_call(const glslang::TIntermAggregate& node);
+  // A built-in that Mesa computes in another way because of its constant arguments; no text if it doesn't.
+  Text special_case(const glslang::TIntermAggregate& node);
   Text call(const glslang::TIntermAggregate& node, bool wants_value);
   Text selection(const glslang::TIntermSelection& node);
   Text comma(const glslang::TIntermAggregate& node, bool wants_value);
@@ -69,6 +71,7 @@ class CppExpressions {
   std::vector<Text> in_order(const std::vector<const glslang::TIntermTyped*>& operands);
   Text temporary(const glslang::TIntermTyped& node, const std::string& text);
   std::string arguments(const glslang::TIntermSequence& sequence);
+  std::string arguments(const std::vector<const glslang::TIntermTyped*>& operands);
   // An expression with its prelude, if there is any, folded into a lambda.
   Text enclosed(const glslang::TIntermTyped& node, bool wants_value);
   // What an assignment to a swizzle writes to: `swizzle<0, 2>(v)`.

@@ -29,13 +29,16 @@ class ParserLibrary {
 
 class SyntaxTree {
  public:
-  // Parses a pass's whole text, `#version 300 es`. Throws Error(shader) with lines `file:line: error: text`.
+  // Parses a pass's whole text, `#version 300 es` or `#version 320 es`. Throws Error(shader) with lines `file:line: error: text`.
   SyntaxTree(const Project& project, const PassSource& source, Folding folding);
 
   // The sequence of everything global: initialisers, functions, and the list of global names.
   const glslang::TIntermAggregate& root() const { return *root_; }
   const std::vector<Token>& tokens() const { return tokens_; }
   const Declarations& declarations() const { return *declarations_; }
+
+  // Whether the text says `precise`, so that a GPU's compiler keeps to the order of its operations.
+  bool is_precise() const { return is_precise_; }
 
   // The token that a node stands for, -1 if it stands for none.
   int token_of(const TIntermNode& node) const;
@@ -50,6 +53,7 @@ class SyntaxTree {
   const Project& project_;
   const PassSource& source_;
   int head_lines_ = 0;
+  bool is_precise_ = false;
   ParserLibrary library_;
   std::unique_ptr<glslang::TShader> shader_;
   std::vector<Token> tokens_;

@@ -3,19 +3,26 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "host/base/error.h"
 #include "tests/scratch_folder.h"
 
 namespace shadertwin {
 namespace {
 
-// The C++ of functions that stand in front of an empty mainImage.
+// The C++ of functions that stand in front of an empty main.
 std::string emitted(const std::string& functions, const CppOptions& options = {}) {
-  const ScratchFolder folder;
-  const auto file =
-      folder.write("shader.glsl", functions + "\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }\n");
-  const Project project = load_project(file);
-  return emit_cpp(project, project.passes.back(), options);
+  Project project;
+  project.files = {"shader.glsl"};
+  Pass pass;
+  pass.source.head = "#version 300 es\nprecision highp float; precision highp int; out vec4 o;\n";
+  pass.source.body = functions + "\n";
+  pass.source.tail = "void main() { o = vec4(1.0); }\n";
+  const int lines = static_cast<int>(std::count(pass.source.body.begin(), pass.source.body.end(), '\n'));
+  for (int i = 1; i <= lines; ++i) pass.source.lines.push_back({0, i});
+  project.passes.push_back(pass);
+  return emit_cpp(project, pass, options);
 }
 
 std::string refusal(const std::string& shader) {
