@@ -84,7 +84,7 @@ CppExpressions::Text CppExpressions::builtin_call(const TIntermAggregate& node) 
     prelude_.push_back(context_.type(whole.getType()) + " " + part + ";");
     const Text fraction =
         temporary(node, name + "(" + expression(*sequence[0]->getAsTyped()).text + ", " + part + ")");
-    prelude_.push_back(swizzle_target(swizzle_of(whole)) + " = " + part + ";");
+    prelude_.push_back(place(whole, false).write + " = " + part + ";");
     return fraction;
   }
   if (const Text special = special_case(node); !special.text.empty()) return special;
@@ -129,17 +129,14 @@ CppExpressions::Text CppExpressions::call(const TIntermAggregate& node, bool wan
   for (std::size_t i = 0; i < sequence.size(); ++i) {
     if (!is_out(node.getQualifierList()[i])) continue;
     const TIntermTyped& target = *sequence[i]->getAsTyped();
-    const std::string place = expression(target).text;
-    texts[i] = place;
+    const Place found = place(target, context_.program().effects(target).writes_any());
+    texts[i] = found.read;
     if (can_pass_by_reference(node, i)) continue;
     texts[i] = names_.take("tmp");
     const bool reads = node.getQualifierList()[i] == EvqInOut;
     prelude_.push_back(context_.type(target.getType()) + " " + texts[i] +
-                       (reads ? " = " + place + ";" : ";"));
-    const Swizzle swizzle = swizzle_of(target);
-    std::string left = place;
-    if (swizzle.components.size() > 1) left = swizzle_target(swizzle);
-    copies_out.push_back(left + " = " + texts[i] + ";");
+                       (reads ? " = " + found.read + ";" : ";"));
+    copies_out.push_back(found.write + " = " + texts[i] + ";");
   }
 
   std::string text = context_.function(callee.name) + "(";

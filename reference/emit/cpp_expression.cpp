@@ -98,13 +98,6 @@ CppExpressions::Text CppExpressions::enclosed(const TIntermTyped& node, bool wan
   return {lambda + "}()", Binding::postfix};
 }
 
-std::string CppExpressions::swizzle_target(const Swizzle& swizzle) {
-  std::string text;
-  for (const int component : swizzle.components)
-    text += (text.empty() ? "" : ", ") + std::to_string(component);
-  return "swizzle<" + text + ">(" + expression(*swizzle.base).text + ")";
-}
-
 std::string CppExpressions::statement(const TIntermTyped& node) {
   if (const TIntermBinary* binary = node.getAsBinaryNode()) {
     if (assignment_operator(binary->getOp()).sign != nullptr) return assignment(*binary, false).text;
@@ -242,30 +235,58 @@ CppExpressions::Text CppExpressions::arithmetic(TOperator op, const TIntermTyped
           sign.binding};
 }
 
+// Whether evaluating an l-value does, or depends on, what evaluating `right` shows. GLSL finds the place
+// first, C++ last.
+bool CppExpressions::place_comes_first(const TIntermTyped& left, const TIntermTyped& right) const {
+  const Effects& place = context_.program().effects(left);
+  if (place.writes_any()) return true;
+  const TIntermSymbol* base = base_symbol(left);
+  if (base == nullptr || left.getAsSymbolNode() != nullptr) return false;
+  const Effects& value = context_.program().effects(right);
+  return std::any_of(place.reads.begin(), place.reads.end(),
+                     [&](SymbolId id) { return id != base->getId() && value.writes.count(id) != 0; });
+}
+
+CppExpressions::Place CppExpressions::place(const TIntermTyped& left, bool bind) {
+  const Swizzle swizzle = swizzle_of(left);
+  const bool is_swizzle = swizzle.components.size() > 1;
+  const TIntermTyped& variable = is_swizzle ? *swizzle.base : left;
+  std::string text = expression(variable).at_least(Binding::postfix);
+  if (bind) {
+    const std::string name = names_.take("place");
+    prelude_.push_back(context_.type(variable.getType()) + "& " + name + " = " + text + ";");
+    text = name;
+  }
+  if (!is_swizzle) return {text, text};
+  std::string letters;
+  std::string numbers;
+  for (const int component : swizzle.components) {
+    letters += component_names[component];
+    numbers += (numbers.empty() ? "" : ", ") + std::to_string(component);
+  }
+  return {text + '.' + letters + "()", "swizzle<" + numbers + ">(" + text + ")"};
+}
+
 CppExpressions::Text CppExpressions::assignment(const TIntermBinary& node, bool wants_value) {
   const TIntermTyped& left = *node.getLeft();
   const TIntermTyped& right = *node.getRight();
   const BinaryOperator op = assignment_operator(node.getOp());
-  const Swizzle swizzle = swizzle_of(left);
 
+  const Place target = place(left, place_comes_first(left, right));
   Text right_text = expression(right);
-  const Text place = expression(left);
   std::string sign = op.sign;
   // C++ has no such operator on the two types, or not with GLSL's meaning: say it as left = left op right.
   const bool spelled_out =
       op.plain != EOpNull && (integer_function(op.plain, left, right) != nullptr ||
                               (right.isMatrix() && op.plain != EOpAdd && op.plain != EOpSub));
   if (spelled_out) {
-    right_text = arithmetic(op.plain, left, right, place, right_text);
+    right_text = arithmetic(op.plain, left, right, {target.read, Binding::postfix}, right_text);
     sign = "=";
   }
-
-  std::string target = place.at_least(Binding::postfix);
-  if (swizzle.components.size() > 1) target = swizzle_target(swizzle);
-  const std::string text = target + ' ' + sign + ' ' + right_text.at_least(Binding::assignment);
-  if (!wants_value || swizzle.components.size() < 2) return {text, Binding::assignment};
+  const std::string text = target.write + ' ' + sign + ' ' + right_text.at_least(Binding::assignment);
+  if (!wants_value || target.write == target.read) return {text, Binding::assignment};
   prelude_.push_back(text + ";");
-  return place;
+  return {target.read, Binding::postfix};
 }
 
 CppExpressions::Text CppExpressions::increment(const TIntermUnary& node, bool wants_value) {
@@ -273,21 +294,19 @@ CppExpressions::Text CppExpressions::increment(const TIntermUnary& node, bool wa
   const TOperator op = node.getOp();
   const bool adds = op == EOpPreIncrement || op == EOpPostIncrement;
   const bool before = op == EOpPreIncrement || op == EOpPreDecrement;
-  const Text place = expression(operand);
   if (operand.isScalar()) {
+    const Text variable = expression(operand);
     const std::string sign = adds ? "++" : "--";
-    return before ? Text{sign + place.at_least(Binding::prefix), Binding::prefix}
-                  : Text{place.at_least(Binding::postfix) + sign, Binding::postfix};
+    return before ? Text{sign + variable.at_least(Binding::prefix), Binding::prefix}
+                  : Text{variable.at_least(Binding::postfix) + sign, Binding::postfix};
   }
-  Text result = place;
-  if (wants_value && !before) result = temporary(operand, place.text);
-  const Swizzle swizzle = swizzle_of(operand);
-  std::string target = place.text;
-  if (swizzle.components.size() > 1) target = swizzle_target(swizzle);
+  const Place target = place(operand, context_.program().effects(operand).writes.size() > 1);
+  Text result = {target.read, Binding::postfix};
+  if (wants_value && !before) result = temporary(operand, target.read);
   const std::string one = operand.getBasicType() == EbtFloat  ? context_.literal(1.0)
                           : operand.getBasicType() == EbtUint ? "1u"
                                                               : "1";
-  const std::string text = target + (adds ? " += " : " -= ") + one;
+  const std::string text = target.write + (adds ? " += " : " -= ") + one;
   if (!wants_value) return {text, Binding::assignment};
   prelude_.push_back(text + ";");
   return result;

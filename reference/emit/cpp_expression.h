@@ -74,8 +74,14 @@ class CppExpressions {
   std::string arguments(const std::vector<const glslang::TIntermTyped*>& operands);
   // An expression with its prelude, if there is any, folded into a lambda.
   Text enclosed(const glslang::TIntermTyped& node, bool wants_value);
-  // What an assignment to a swizzle writes to: `swizzle<0, 2>(v)`.
-  std::string swizzle_target(const Swizzle& swizzle);
+  // What reads and what writes an l-value: `v.xz()` and `swizzle<0, 2>(v)`, or twice the same. `bind`: find
+  // it now, once, through a reference.
+  struct Place {
+    std::string read;
+    std::string write;
+  };
+  Place place(const glslang::TIntermTyped& left, bool bind);
+  bool place_comes_first(const glslang::TIntermTyped& left, const glslang::TIntermTyped& right) const;
 
   CppContext& context_;
   NameScope& names_;

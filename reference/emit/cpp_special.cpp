@@ -1,5 +1,6 @@
-// Calls that Mesa rewrites before it computes them, by the shape of their arguments. The twin does the same, so that
-// the bits agree. Measured on Mesa 22.3 (tests/glsl); text that is `precise` is left alone, but for mix.
+// Calls that Mesa rewrites before it computes them, by the shape of their arguments. The twin does the same,
+// so that the bits agree. Measured on Mesa 22.3 (tests/glsl); text that is `precise` is left alone, but for
+// mix.
 #include <optional>
 
 #include "reference/emit/cpp_expression.h"
@@ -21,7 +22,9 @@ std::optional<double> uniform_constant(const TIntermNode& node) {
   return values[0].getDConst();
 }
 
-bool is_constant(const TIntermNode& node) { return node.getAsConstantUnion() != nullptr; }
+bool is_constant(const TIntermNode& node) {
+  return node.getAsConstantUnion() != nullptr;
+}
 
 }  // namespace
 
@@ -39,7 +42,9 @@ CppExpressions::Text CppExpressions::special_case(const TIntermAggregate& node) 
       if (sequence[2]->getAsTyped()->getBasicType() == EbtBool) return {};
       const std::optional<double> second = uniform_constant(*sequence[1]);
       const bool to_one = second && (*second == 1.0 || *second == -1.0);
-      return precise || to_one || is_constant(*sequence[2]) ? call("mix_strict", {sequence[0], sequence[1], sequence[2]}) : Text{};
+      return precise || to_one || is_constant(*sequence[2])
+                 ? call("mix_strict", {sequence[0], sequence[1], sequence[2]})
+                 : Text{};
     }
     case EOpMin:
     case EOpMax:  // the order shows in the sign of a zero
@@ -59,7 +64,8 @@ CppExpressions::Text CppExpressions::special_case(const TIntermAggregate& node) 
       if (exponent == 2.0) return {square, Binding::product};
       return {"(" + square + ") * (" + square + ")", Binding::product};
     }
-    default: return {};
+    default:
+      return {};
   }
 }
 

@@ -1,5 +1,9 @@
 #include "reference/emit/fold.h"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 using glslang::TIntermAggregate;
 using glslang::TIntermConstantUnion;
 using glslang::TIntermTyped;
@@ -20,6 +24,112 @@ TIntermTyped* rounded(TIntermTyped* node) {
       values[i].setDConst(static_cast<double>(static_cast<float>(values[i].getDConst())));
   }
   return node;
+}
+
+using Values = std::vector<float>;
+
+// The components of a float constant; empty for anything else.
+Values values_of(const TIntermTyped* node) {
+  const TIntermConstantUnion* constant = node != nullptr ? node->getAsConstantUnion() : nullptr;
+  Values values;
+  if (constant == nullptr || constant->getBasicType() != glslang::EbtFloat || constant->isArray())
+    return values;
+  for (int i = 0; i < constant->getConstArray().size(); ++i)
+    values.push_back(static_cast<float>(constant->getConstArray()[i].getDConst()));
+  return values;
+}
+
+TIntermTyped* with_values(TIntermTyped* node, const Values& values) {
+  TIntermConstantUnion* constant = node != nullptr ? node->getAsConstantUnion() : nullptr;
+  if (constant == nullptr || constant->getConstArray().size() != static_cast<int>(values.size()))
+    return rounded(node);
+  glslang::TConstUnionArray folded = constant->getConstArray();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    folded[static_cast<int>(i)].setDConst(static_cast<double>(values[i]));
+  return node;
+}
+
+float dot(const Values& a, const Values& b) {
+  float sum = 0.0F;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+// Column-major: `inner` terms a sum.
+Values product(const Values& left, const Values& right, int rows, int columns, int inner) {
+  Values result;
+  for (int column = 0; column < columns; ++column) {
+    for (int row = 0; row < rows; ++row) {
+      float sum = 0.0F;
+      for (int i = 0; i < inner; ++i) sum += left[i * rows + row] * right[column * inner + i];
+      result.push_back(sum);
+    }
+  }
+  return result;
+}
+
+// Sums of products, which rounding the result of a double calculation does not give.
+Values fold_product(TOperator op, const TIntermTyped& left, const TIntermTyped& right) {
+  const Values a = values_of(&left);
+  const Values b = values_of(&right);
+  if (a.empty() || b.empty()) return {};
+  switch (op) {
+    case glslang::EOpMatrixTimesVector:
+      return product(a, b, left.getMatrixRows(), 1, left.getMatrixCols());
+    case glslang::EOpVectorTimesMatrix:
+      return product(a, b, 1, right.getMatrixCols(), right.getMatrixRows());
+    case glslang::EOpMatrixTimesMatrix:
+      return product(a, b, left.getMatrixRows(), right.getMatrixCols(), left.getMatrixCols());
+    default:
+      return {};
+  }
+}
+
+Values fold_vector(TOperator op, const TIntermTyped& operand) {
+  const Values v = values_of(&operand);
+  if (v.size() < 2) return {};
+  if (op == glslang::EOpLength) return {std::sqrt(dot(v, v))};
+  if (op != glslang::EOpNormalize) return {};
+  const float scale = 1.0F / std::sqrt(dot(v, v));
+  Values result;
+  for (const float x : v) result.push_back(x * scale);
+  return result;
+}
+
+Values fold_call(const TIntermAggregate& call) {
+  const glslang::TIntermSequence& arguments = call.getSequence();
+  if (arguments.size() < 2) return {};
+  const Values a = values_of(arguments[0]->getAsTyped());
+  const Values b = values_of(arguments[1]->getAsTyped());
+  if (a.empty() || b.empty()) return {};
+  switch (call.getOp()) {
+    case glslang::EOpDot:
+      return {dot(a, b)};
+    case glslang::EOpCross:
+      return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    case glslang::EOpDistance: {
+      Values difference;
+      for (std::size_t i = 0; i < a.size(); ++i) difference.push_back(a[i] - b[i]);
+      return {std::sqrt(dot(difference, difference))};
+    }
+    case glslang::EOpMix: {
+      const Values t = values_of(arguments[2]->getAsTyped());
+      Values result;
+      for (std::size_t i = 0; i < a.size() && !t.empty(); ++i) {
+        const float at = t[t.size() == 1 ? 0 : i];
+        result.push_back(a[i] * (1.0F - at) + b[i] * at);
+      }
+      return result;
+    }
+    default:
+      return {};
+  }
+}
+
+// What glslang folded, with `values` where we know better.
+TIntermTyped* corrected(TIntermTyped* node, const Values& values) {
+  if (folding == Folding::float64) return node;
+  return values.empty() ? rounded(node) : with_values(node, values);
 }
 
 }  // namespace
@@ -47,18 +157,21 @@ ConstantFolding::~ConstantFolding() {
 extern "C" {
 TIntermTyped* REAL(FOLD_BINARY)(const TIntermConstantUnion* left, TOperator op, const TIntermTyped* right);
 TIntermTyped* WRAP(FOLD_BINARY)(const TIntermConstantUnion* left, TOperator op, const TIntermTyped* right) {
-  return shadertwin::emit::rounded(REAL(FOLD_BINARY)(left, op, right));
+  const auto values = shadertwin::emit::fold_product(op, *left, *right);
+  return shadertwin::emit::corrected(REAL(FOLD_BINARY)(left, op, right), values);
 }
 
 TIntermTyped* REAL(FOLD_UNARY)(const TIntermConstantUnion* operand, TOperator op, const glslang::TType& type);
 TIntermTyped* WRAP(FOLD_UNARY)(const TIntermConstantUnion* operand, TOperator op,
                                const glslang::TType& type) {
-  return shadertwin::emit::rounded(REAL(FOLD_UNARY)(operand, op, type));
+  const auto values = shadertwin::emit::fold_vector(op, *operand);
+  return shadertwin::emit::corrected(REAL(FOLD_UNARY)(operand, op, type), values);
 }
 
 TIntermTyped* REAL(FOLD_CALL)(glslang::TIntermediate* tree, TIntermAggregate* call);
 TIntermTyped* WRAP(FOLD_CALL)(glslang::TIntermediate* tree, TIntermAggregate* call) {
-  return shadertwin::emit::rounded(REAL(FOLD_CALL)(tree, call));
+  const auto values = shadertwin::emit::fold_call(*call);
+  return shadertwin::emit::corrected(REAL(FOLD_CALL)(tree, call), values);
 }
 
 TIntermConstantUnion* REAL(LITERAL)(const glslang::TIntermediate* tree, double value,

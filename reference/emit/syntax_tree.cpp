@@ -54,7 +54,8 @@ SyntaxTree::SyntaxTree(const Project& project, const PassSource& source, Folding
     refuse(project, source, preprocessor.getInfoLog());
 
   tokens_ = split_tokens(preprocessed);
-  is_precise_ = std::any_of(tokens_.begin(), tokens_.end(), [](const Token& t) { return t.text == "precise"; });
+  is_precise_ =
+      std::any_of(tokens_.begin(), tokens_.end(), [](const Token& t) { return t.text == "precise"; });
   const std::string lines = one_token_a_line(tokens_);
   strings = lines.c_str();
   shader_ = std::make_unique<glslang::TShader>(EShLangFragment);

@@ -29,7 +29,8 @@ class ParserLibrary {
 
 class SyntaxTree {
  public:
-  // Parses a pass's whole text, `#version 300 es` or `#version 320 es`. Throws Error(shader) with lines `file:line: error: text`.
+  // Parses a pass's whole text, `#version 300 es` or `#version 320 es`. Throws Error(shader) with lines
+  // `file:line: error: text`.
   SyntaxTree(const Project& project, const PassSource& source, Folding folding);
 
   // The sequence of everything global: initialisers, functions, and the list of global names.

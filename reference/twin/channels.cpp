@@ -15,10 +15,6 @@ constexpr std::array<const char*, Channels::keyboard + 1> channel_names = {
 
 constexpr Sampler nearest{MinFilter::nearest, MagFilter::nearest, Wrap::clamp, false};
 
-bool uses_mipmaps(const Sampler& sampler) {
-  return sampler.min != MinFilter::nearest && sampler.min != MinFilter::linear;
-}
-
 int scalar_count(UniformType type) {
   switch (type) {
     case UniformType::float1:
@@ -44,6 +40,10 @@ bool is_integer(UniformType type) {
 }
 
 }  // namespace
+
+bool uses_mipmaps(const Sampler& sampler) {
+  return sampler.min != MinFilter::nearest && sampler.min != MinFilter::linear;
+}
 
 Picture::Picture(Texture texture, bool mipmaps) : texture_(std::move(texture)), mipmaps_(mipmaps) {
   finish_drawing();

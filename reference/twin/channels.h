@@ -17,6 +17,8 @@
 
 namespace shadertwin::twin {
 
+bool uses_mipmaps(const Sampler& sampler);
+
 // Texels that shaders sample and passes draw.
 class Picture {
  public:

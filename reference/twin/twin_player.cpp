@@ -54,6 +54,13 @@ class TwinPlayerImpl final : public TwinPlayer {
       passes_[i].target.wide.resize(history[i] ? 2 : 1);
     }
     for (std::size_t i = 0; i < passes_.size(); ++i) bind_inputs(i);
+    for (const Pass& pass : project_.passes) {
+      for (const Input& input : pass.inputs) {
+        if (input.kind != InputKind::pass || !uses_mipmaps(input.sampler)) continue;
+        for (Picture& picture : passes_[static_cast<std::size_t>(input.pass)].target.pictures)
+          picture.want_mipmaps();
+      }
+    }
   }
 
   void render(const Frame& frame) override {

@@ -1,0 +1,15 @@
+// Constant expressions are computed in float, operation by operation.
+const float a = 0.1, b = 0.7, c = a + b * 3.3, d = sqrt(2.0) / 3.0, e = 1.0 / 3.0 * 0.3;
+const vec3 v = normalize(vec3(0.3, 0.4, 1.7)), w = cross(v, vec3(0.1, 0.2, 0.3)) * 0.7;
+const mat3 m = mat3(0.00, 0.80, 0.60, -0.80, 0.36, -0.48, -0.60, -0.48, 0.64);
+const mat3 mm = m * m;
+const int n = int(3.7) + 2, list[3] = int[](n, n * 2, n / 2);
+const bool flag = n > 4 && a < b;
+void mainImage(out vec4 color, in vec2 p) {
+  const float local = c * 0.9 - e, other = mix(0.1, 0.9, 0.35);
+  float sizes[n];
+  sizes[n - 1] = local;
+  color = vec4(c, d, e, sizes[4]);
+  if (p.y > 3.0) color = vec4(w, flag ? dot(v, w) : 0.0);
+  if (p.y > 6.0) color = vec4((m * v).x, mm[1][2], float(list[int(p.x) % 3]), other);
+}

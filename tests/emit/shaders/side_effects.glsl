@@ -1,0 +1,24 @@
+// Side effects in indices, conditions, loop headers and returned values.
+int k = 0;
+int next() { return k++; }
+float take(inout float list[4], int i) { list[i] += 1.0; return list[i]; }
+float both(inout float a, inout float b) { float t = a; a = b; b = t; return a - b; }
+vec3 sample_(inout uint s) { s = s * 1664525u + 1013904223u; return vec3(s >> 8, s >> 16, s >> 24) / 256.0; }
+bool more(inout int n) { return --n > 0; }
+void mainImage(out vec4 color, in vec2 p) {
+  float list[4] = float[4](p.x, 1.0, 2.0, 3.0);
+  list[next()] += 5.0;
+  list[next()] = list[next()] * 2.0;
+  float t = take(list, 3) * take(list, 3) + take(list, k & 3);
+  float u = both(list[0], list[1]);
+  uint s = uint(p.x) * 17u + uint(p.y);
+  vec3 v = sample_(s) + sample_(s) * 2.0 - cross(sample_(s), sample_(s));
+  vec2 w = p;
+  w[next() & 1] *= 3.0;
+  int n = 5; float sum = 0.0;
+  while (more(n)) sum += float(n);
+  do sum *= 1.5; while (more(n) || next() < 8);
+  for (int i = next(); more(i); sum += float(i), next()) if (sum > 100.0) break;
+  mat2 m = mat2(1.0); m[next() & 1] += vec2(sum, k);
+  color = vec4(t + list[0] * 0.5, u + v.x, v.y + w.x + m[0].y, sum + w.y * 0.125 + float(k) + m[1].x);
+}

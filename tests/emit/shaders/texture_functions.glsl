@@ -1,0 +1,19 @@
+// Every function that reads a texture, through nearest sampling; samplers as parameters.
+#iChannel0 "inputs/pattern.glsl"
+#iChannel0::MinFilter "Nearest"
+#iChannel0::MagFilter "Nearest"
+#iChannel0::WrapMode "Repeat"
+vec4 look(sampler2D s, vec2 uv) { return texture(s, uv) + texelFetch(s, ivec2(uv * 3.0), 0); }
+float size(in sampler2D s, int i) { return float(textureSize(s, 0)[i]); }
+void mainImage(out vec4 color, in vec2 p) {
+  vec2 uv = p / iResolution.xy;
+  int k = int(p.y) % 8;
+  color = vec4(size(iChannel0, 0), size(iChannel0, 1), iChannelResolution[0].xy);
+  if (k == 0) color = look(iChannel0, uv * 2.0 + 0.01);
+  if (k == 1) color = textureLod(iChannel0, -uv, 0.0);
+  if (k == 2) color = textureGrad(iChannel0, uv.yx, vec2(0.01), vec2(0.0));
+  if (k == 3) color = textureOffset(iChannel0, uv, ivec2(1, -2)) + texelFetchOffset(iChannel0, ivec2(p), 0, ivec2(-1, 1));
+  if (k == 4) color = textureProj(iChannel0, vec3(p, 20.0)) + textureProj(iChannel0, vec4(p, 1.0, 16.0));
+  if (k == 5) color = texture(iChannel0, uv, 1.0) + textureLodOffset(iChannel0, uv, 0.0, ivec2(2));
+  if (k == 6) color = textureProjLod(iChannel0, vec3(p, 8.0), 0.0) + textureGradOffset(iChannel0, uv, vec2(0.0), vec2(0.0), ivec2(-1));
+}
