@@ -52,7 +52,7 @@ vec3 toneMap(vec3 c)
     // Khronos 2024, "PBR Neutral Tone Mapper": 0.04 of Fresnel reflection is taken off, values from 0.76 on approach 1,
     // and what would have been brighter loses saturation.
     float least = min(c.r, min(c.g, c.b));
-    vec3 x = c - (least < 0.08 ? least - 6.25 * (least * least) : 0.04);
+    vec3 x = least < 0.08 ? (c - least) + 6.25 * (least * least) : c - 0.04;
     float peak = max3(x);
     if (peak < 0.76) {
         return x;
