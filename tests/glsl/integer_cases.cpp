@@ -51,7 +51,7 @@ std::vector<BuiltinCase> integer_cases() {
       {"uint % small uint", two, SHADERTWIN_UINTS(MODULO(i, SHIFT_RIGHT(j, 29)))},
       {"uint << uint", two, SHADERTWIN_UINTS(SHIFT_LEFT(i, j))},
       {"uint >> int", two, SHADERTWIN_UINTS(SHIFT_RIGHT(i, floatBitsToInt(b)))},
-      {"uint & | ^ ~", two, SHADERTWIN_UINTS((i & j) ^ (i | ~j))},
+      {"uint bitwise", two, SHADERTWIN_UINTS((i & j) ^ (i | ~j))},
       {"min(uint)", two, SHADERTWIN_UINTS(min(i, j))},
       {"max(uint)", two, SHADERTWIN_UINTS(max(i, j.x))},
       {"uint(float)", {positive(-8, 32), anything}, SHADERTWIN_UINTS(MAKE(uvec4, a) + i)},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <limits>
 
 #include "reference/glsl/denormals.h"
@@ -30,6 +31,20 @@ vec4 halves(uint a, uint b) { return vec4(a >> 16, a & 0xffffu, b >> 16, b & 0xf
 
 bool same(float a, float b) {
   return (std::isnan(a) && std::isnan(b)) || std::bit_cast<uint>(a) == std::bit_cast<uint>(b);
+}
+
+// "3 x D" for three equal domains.
+std::string domains_text(const std::vector<Domain>& domains) {
+  std::string text;
+  for (std::size_t i = 0; i < domains.size();) {
+    std::size_t same = 1;
+    while (i + same < domains.size() && domains[i + same].text() == domains[i].text()) ++same;
+    if (i > 0) text += "; ";
+    if (same > 1) text += std::to_string(same) + " x ";
+    text += domains[i].text();
+    i += same;
+  }
+  return text;
 }
 
 std::string number(float x) {
@@ -66,10 +81,10 @@ Deviation measure(const BuiltinCase& test, const Draw& draw, int width, int heig
   const FlushDenormals flush;
   Deviation result;
   result.name = test.name;
-  for (const Domain& domain : test.domains)
-    result.domain += (result.domain.empty() ? "" : "; ") + domain.text();
+  result.domain = domains_text(test.domains);
 
   Arguments arguments{};
+  std::vector<double> distances;  // of the values that differ
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       for (std::size_t i = 0; i < test.domains.size(); ++i) {
@@ -85,6 +100,9 @@ Deviation measure(const BuiltinCase& test, const Draw& draw, int width, int heig
           continue;
         }
         const double ulp = ulp_distance(device[i], twin[i]);
+        distances.push_back(ulp);
+        const double absolute = std::abs(static_cast<double>(device[i]) - static_cast<double>(twin[i]));
+        if (std::isfinite(absolute)) result.max_absolute = std::max(result.max_absolute, absolute);
         const Difference difference{arguments, vec4(device[0], device[1], device[2], device[3]), twin, i,
                                     ulp};
         if (result.equal + 1 == result.count) result.first = difference;
@@ -93,7 +111,27 @@ Deviation measure(const BuiltinCase& test, const Draw& draw, int width, int heig
       }
     }
   }
+  const auto beyond = static_cast<std::size_t>(result.count / 100);
+  if (distances.size() > beyond) {
+    std::nth_element(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(beyond),
+                     distances.end(), std::greater<>());
+    result.p99_ulp = distances[beyond];
+  }
   return result;
+}
+
+std::string table_head() {
+  return "| function | arguments | equal bits % | p99 ULP | max ULP | max difference "
+         "|\n|---|---|---|---|---|---|\n";
+}
+
+std::string table_row(const Deviation& deviation) {
+  char buffer[512];
+  std::snprintf(buffer, sizeof buffer, "| %s | %s | %.4f | %.4g | %.4g | %.3g |\n", deviation.name.c_str(),
+                deviation.domain.c_str(),
+                100.0 * static_cast<double>(deviation.equal) / static_cast<double>(deviation.count),
+                deviation.p99_ulp, deviation.max_ulp, deviation.max_absolute);
+  return buffer;
 }
 
 std::string text(const Difference& difference, std::size_t arguments) {

@@ -38,8 +38,10 @@ struct Deviation {
   std::string domain;
   long count = 0;
   long equal = 0;
-  double max_ulp = 0;  // infinity when only one of the two is a NaN
-  Difference first;    // in reading order
+  double max_ulp = 0;       // infinity when only one of the two is a NaN
+  double p99_ulp = 0;       // 99 of 100 values are no farther
+  double max_absolute = 0;  // largest difference of two finite values
+  Difference first;         // in reading order
   Difference worst;
 };
 
@@ -54,6 +56,10 @@ Deviation measure(const BuiltinCase& test, const Draw& draw, int width = 512, in
 
 // One line: arguments, both values in hexadecimal and decimal, ULP.
 std::string text(const Difference& difference, std::size_t arguments);
+
+// The report of a device: a Markdown table with one line a case.
+std::string table_head();
+std::string table_row(const Deviation& deviation);
 
 // Floats between a and b, counted across zero.
 double ulp_distance(float a, float b);
