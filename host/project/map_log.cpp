@@ -41,16 +41,24 @@ std::optional<Message> parse(const std::string& line) {
   return std::nullopt;
 }
 
+// Mesa lists every overload of a built-in function, some sixty of texture(), each as an error of its own.
+bool is_candidate(const std::string& line) {
+  static const std::regex mesa(R"(^\s*\d+:\d+\(\d+\): error:    \w.*\)$)");
+  return std::regex_match(line, mesa);
+}
+
 }  // namespace
 
 std::string map_log(const Project& project, const PassSource& source, const std::string& log,
                     int first_line) {
   const auto head = static_cast<int>(std::count(source.head.begin(), source.head.end(), '\n'));
+  static const std::string candidates = "; candidates are:";
   std::istringstream lines(log);
   std::string mapped;
   for (std::string line; std::getline(lines, line);) {
     while (!line.empty() && (line.back() == '\r' || line.back() == '\0')) line.pop_back();
-    if (line.empty()) continue;
+    if (line.empty() || is_candidate(line)) continue;
+    if (line.ends_with(candidates)) line.resize(line.size() - candidates.size());
     if (!mapped.empty()) mapped += '\n';
     const std::optional<Message> message = parse(line);
     const int index = message ? message->line - first_line - head : -1;

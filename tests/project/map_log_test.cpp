@@ -67,6 +67,15 @@ TEST_F(MapLog, PutsWhatLiesBehindTheEndOnTheLastLine) {
   EXPECT_EQ(mapped("0:@(1): error: unexpected end", 12), "image.glsl:4: error: unexpected end");
 }
 
+TEST_F(MapLog, LeavesOutTheOverloadsThatWereNotMeant) {
+  const std::string at = "0:" + std::to_string(head_ + 2) + "(1): error: ";
+  const std::string log = at + "no matching function for call to `f(int)'; candidates are:\n" + at +
+                          "   vec4 texture(sampler1D, float)\n" + at + "   float f(float)\n" + at + "x\n";
+  const std::string text = map_log(project_, project_.passes[0].source, log);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+  EXPECT_NE(text.find("call to `f(int)'\n"), std::string::npos);
+}
+
 TEST_F(MapLog, MapsLineByLine) {
   const PassSource& source = project_.passes[0].source;
   const std::string at = std::to_string(head_ + 2);
