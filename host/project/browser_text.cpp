@@ -141,6 +141,7 @@ class Rewriter {
       if (token.kind == Token::Kind::identifier &&
           (among(later_words, token.text) || renamed_.contains(token.text)))
         edits_.push_back({token.begin, 0, "shadertwin_"});
+      if (token.kind == Token::Kind::identifier && token.text.starts_with("iCh")) fix_channel_struct(i);
       if (token.is("(") && opens_function(i)) fix_function(i);
     }
     return apply();
@@ -176,6 +177,22 @@ class Rewriter {
         renamed_.insert(tokens_[i - 1].text);
       if (i >= 2 && tokens_[i - 1].is("define") && tokens_[i - 2].is("#")) macros_.insert(tokens_[i].text);
     }
+  }
+
+  void fix_channel_struct(std::size_t i) {
+    const std::string_view name = tokens_[i].text;
+    if (name.size() != 4 || name[3] < '0' || name[3] > '3' || i + 2 >= tokens_.size() ||
+        !tokens_[i + 1].is("."))
+      return;
+    const Token& member = tokens_[i + 2];
+    const std::string channel(1, name[3]);
+    std::string by;
+    if (member.is("sampler")) by = "iChannel" + channel;
+    if (member.is("size")) by = "iChannelResolution[" + channel + "]";
+    if (member.is("time")) by = "iChannelTime[" + channel + "]";
+    if (member.is("loaded")) by = "shadertwin_loaded_" + channel;
+    if (!by.empty() && member.line == tokens_[i].line)
+      edits_.push_back({tokens_[i].begin, member.end() - tokens_[i].begin, by});
   }
 
   void fix_directive(std::size_t hash) {

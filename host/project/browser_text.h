@@ -15,6 +15,9 @@ namespace shadertwin {
 //   (`texture2D` ...), get the prefix "shadertwin_";
 // - a function's parameter without a name gets one;
 // - what follows #else, #endif and the name of #ifdef or #ifndef is dropped, and so is a # in a macro's text;
+// - shadertoy.com's iChN.sampler, .size, .time and .loaded become iChannelN, iChannelResolution[N],
+// iChannelTime[N] and
+//   shadertwin_loaded_N (0 or 1);
 // - where a macro makes mainImage, its `out` becomes `inout`, so that it starts as the host sets it;
 // - with zero_outputs, an `out` parameter of a built-in type starts as zero.
 std::string as_in_a_browser(std::string_view text, bool zero_outputs);

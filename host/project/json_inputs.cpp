@@ -166,7 +166,10 @@ Input JsonInputs::read(const Json& json) {
     default:
       break;
   }
-  if (input.kind == InputKind::none) return input;
+  if (input.kind == InputKind::none) {
+    input.missing = kind_of(type);
+    return input;
+  }
   input.sampler = read_sampler(json, input.kind);
   input.red_only =
       input.kind == InputKind::texture && std::find(red_ids.begin(), red_ids.end(), id) != red_ids.end();

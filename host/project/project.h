@@ -51,6 +51,8 @@ enum class InputKind {
 // What is bound to one channel of one pass.
 struct Input {
   InputKind kind = InputKind::none;
+  // Of an empty channel: what is missing there. The shader's sampler has the type for it.
+  InputKind missing = InputKind::none;
   Sampler sampler;
   std::vector<std::filesystem::path> files;
   int pass = -1;          // index into Project::passes when kind is pass

@@ -38,8 +38,9 @@ std::string_view glsl_name(UniformType type) {
 }
 
 std::string_view sampler_name(const Project& project, const Input& input) {
-  if (input.kind == InputKind::cubemap) return "samplerCube";
-  if (input.kind == InputKind::volume) return "sampler3D";
+  const InputKind kind = input.kind == InputKind::none ? input.missing : input.kind;
+  if (kind == InputKind::cubemap) return "samplerCube";
+  if (kind == InputKind::volume) return "sampler3D";
   if (input.kind == InputKind::pass &&
       project.passes[static_cast<std::size_t>(input.pass)].kind == PassKind::cubemap)
     return "samplerCube";
@@ -143,14 +144,9 @@ void add_shadertoy(Head& head, const Project& project, const Pass& pass) {
     head.uniform("float", "iChannelTime", 4);
   }
   add_channels(head, project, pass, 4);
-  for (int i = 0; i < 4 && pass.kind == PassKind::image; ++i) {
-    const std::string name = "iCh" + std::to_string(i);
-    if (head.wanted(name))
-      head.uniform("struct { " +
-                       std::string(sampler_name(project, pass.inputs[static_cast<std::size_t>(i)])) +
-                       " sampler; vec3 size; float time; int loaded; }",
-                   name);
-  }
+  for (std::size_t i = 0; i < 4; ++i)
+    if (const std::string loaded = "shadertwin_loaded_" + std::to_string(i); head.wanted(loaded))
+      head.macro(loaded, pass.inputs[i].kind == InputKind::none ? "0" : "1");
   for (const CustomUniform& uniform : project.uniforms) head.uniform(glsl_name(uniform.type), uniform.name);
 }
 

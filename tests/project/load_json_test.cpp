@@ -218,13 +218,29 @@ TEST_F(LoadJson, TakesBothFormsOfMainSound) {
             std::string::npos);
 }
 
-TEST_F(LoadJson, DeclaresChannelStructsOnlyForThoseWhoUseThem) {
-  const auto head = [&](const std::string& code) {
-    return load(api({pass("image", 37, json::array(), code)})).passes[0].source.head;
-  };
-  EXPECT_EQ(head(empty_image).find("iCh0"), std::string::npos);
-  EXPECT_NE(head("float f() { return iCh2.time; }\n" + std::string(empty_image)).find("int loaded; } iCh2;"),
-            std::string::npos);
+TEST_F(LoadJson, ReadsChannelStructsAsUniforms) {
+  const std::string code =
+      "vec4 f() { return texture(iCh1.sampler, iCh2.size.xy) * iCh0.time * float(iCh3 . loaded); }\n";
+  const Pass loaded =
+      load(api({pass("image", 37, {input(33, 3, "keyboard", "")}, code + empty_image)})).passes[0];
+  EXPECT_TRUE(
+      loaded.source.body.starts_with("vec4 f() { return texture(iChannel1, iChannelResolution[2].xy) * "
+                                     "iChannelTime[0] * float(shadertwin_loaded_3); }\n"))
+      << loaded.source.body;
+  EXPECT_NE(loaded.source.head.find("#define shadertwin_loaded_3 1\n"), std::string::npos);
+}
+
+TEST_F(LoadJson, GivesAnEmptyChannelTheSamplerOfWhatIsMissing) {
+  const Project project = load(api(
+      {pass("image", 37,
+            {input(1, 0, "cubemap", "/media/a/no.jpg"), input(2, 1, "volume", "/no.bin"),
+             input(41, 2, "cubemap", "/media/previz/cubemap00.png"), input(3, 3, "texture", "/no.jpg")})}));
+  const std::string& head = project.passes[0].source.head;
+  EXPECT_NE(head.find("uniform samplerCube iChannel0;"), std::string::npos);
+  EXPECT_NE(head.find("uniform sampler3D iChannel1;"), std::string::npos);
+  EXPECT_NE(head.find("uniform samplerCube iChannel2;"), std::string::npos);
+  EXPECT_NE(head.find("uniform sampler2D iChannel3;"), std::string::npos);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(project.passes[0].inputs[i].kind, InputKind::none);
 }
 
 TEST_F(LoadJson, DrawsMainVrWhenAsked) {
