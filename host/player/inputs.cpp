@@ -1,9 +1,16 @@
 #include "host/player/inputs.h"
 
+#include <utility>
+
 namespace shadertwin {
 
 Texture load_texture(const Input& input) {
-  if (input.kind == InputKind::cubemap) return read_cubemap(input.files, input.sampler.vflip);
+  if (input.kind == InputKind::cubemap) {
+    std::vector<std::filesystem::path> faces = input.files;
+    // A cube that is turned over has its top at the bottom.
+    if (input.sampler.vflip && faces.size() == 6) std::swap(faces[2], faces[3]);
+    return read_cubemap(faces, input.sampler.vflip);
+  }
   return read_texture(input.files.front(), input.sampler.vflip);
 }
 
