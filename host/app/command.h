@@ -8,6 +8,7 @@ namespace shadertwin::app {
 // Callbacks throw Error; main turns that into one line and an exit status.
 void add_compare(CLI::App& app);
 void add_devices(CLI::App& app);
+void add_export(CLI::App& app);
 void add_render(CLI::App& app);
 void add_view(CLI::App& app);
 

@@ -59,18 +59,23 @@ void add_repeated(CLI::App& command, const std::string& name, std::vector<std::s
 
 }  // namespace
 
-void add_shader_options(CLI::App& command, PlayOptions& o) {
+void add_load_options(CLI::App& command, PlayOptions& o) {
   command
       .add_option("SHADER", o.shader,
                   "a .glsl file (other passes by #iChannel) or a folder of Shadertoy tabs")
       ->required();
+  add_repeated(command, "-D,--define", o.defines,
+               "NAME[=VALUE]: #define in front of every pass; sets a shader's knob");
+  command.add_option("--seed", o.seed, "the same as -D SEED=N: another stream of random numbers");
+  command.add_flag("--quiet", o.quiet, "no warnings and no progress bar");
+}
+
+void add_shader_options(CLI::App& command, PlayOptions& o) {
+  add_load_options(command, o);
   command.add_option("--size", o.size, "picture size in pixels, WIDTHxHEIGHT");
   command.add_option("--fps", o.fps, "frames a second of shader time");
   command.add_option("--time", o.time, "iTime of the first frame, seconds");
   command.add_option("--date", o.date, "iDate of the first frame, YYYY-MM-DDTHH:MM:SS (2024-01-01T00:00:00)");
-  add_repeated(command, "-D,--define", o.defines,
-               "NAME[=VALUE]: #define in front of every pass; sets a shader's knob");
-  command.add_option("--seed", o.seed, "the same as -D SEED=N: another stream of random numbers");
   command.add_option("--pass", o.pass,
                      "the pass to show instead of the last one (\"Buffer A\", buffera, P3D_RT)");
   command.add_option(
@@ -80,7 +85,6 @@ void add_shader_options(CLI::App& command, PlayOptions& o) {
       .add_option("--timeout", o.timeout,
                   "with --on cpu, give up on a frame after so many seconds (0: never)")
       ->check(CLI::NonNegativeNumber);
-  command.add_flag("--quiet", o.quiet, "no warnings and no progress bar");
 }
 
 void add_play_options(CLI::App& command, PlayOptions& o) {

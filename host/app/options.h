@@ -1,4 +1,4 @@
-// The options that every subcommand which plays a shader shares.
+// The options that every subcommand which takes a shader shares.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -29,7 +29,9 @@ struct PlayOptions {
   std::string seed;
 };
 
-// SHADER and the options of every subcommand that plays one.
+// SHADER and the options that change what is loaded.
+void add_load_options(CLI::App& command, PlayOptions& options);
+// Those and the options of every subcommand that plays a shader.
 void add_shader_options(CLI::App& command, PlayOptions& options);
 // Those and how many frames, with what mouse and keys. `on` is left out for subcommands that name their
 // players otherwise.

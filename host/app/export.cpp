@@ -1,0 +1,56 @@
+#include <fstream>
+#include <memory>
+
+#include "host/app/command.h"
+#include "host/app/options.h"
+#include "host/base/error.h"
+#include "host/base/output_file.h"
+#include "host/export/export.h"
+
+namespace shadertwin::app {
+
+namespace {
+
+struct ExportOptions : PlayOptions {
+  std::string to;
+  std::string output;
+};
+
+// The shader's name. image.glsl says less than the folder that it stands in.
+std::string title_of(const std::filesystem::path& shader) {
+  const std::filesystem::path whole =
+      (std::filesystem::absolute(shader) / "").lexically_normal().parent_path();
+  return (whole.stem() == "image" ? whole.parent_path() : whole).stem().string();
+}
+
+void write_text(const std::string& file, const std::string& text) {
+  OutputFile output(file);
+  std::ofstream stream(output.path(), std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw Error(ExitStatus::file, file + ": can't be written");
+  output.commit();
+}
+
+void export_project(const ExportOptions& options) {
+  const Project project = load(options);
+  write_text(options.output, html_player(project, title_of(options.shader)));
+}
+
+}  // namespace
+
+void add_export(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("export", "write a shader in a form to pass on");
+  const auto options = std::make_shared<ExportOptions>();
+  add_load_options(*command, *options);
+  command
+      ->add_option("--to", options->to,
+                   "html: a page that plays it in any browser, with everything inside; "
+                   "#paused, #time=SECONDS, #size=WxH or #bare behind its address set it up")
+      ->required()
+      ->check(CLI::IsMember({"html"}));
+  command->add_option("-o,--output", options->output, "the file to write")->required();
+  command->callback([options] { export_project(*options); });
+}
+
+}  // namespace shadertwin::app

@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "host/export/data_url.h"
+#include "host/export/export.h"
+#include "host/export/page.h"
+#include "host/image/image.h"
+#include "host/player/inputs.h"
+
+namespace shadertwin {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array kind_names = {"none",     "texture", "cubemap", "volume", "pass",
+                                   "keyboard", "music",   "video",   "webcam", "microphone"};
+constexpr std::array pass_kind_names = {"image", "buffer", "cubemap", "sound"};
+// WebGL's names.
+constexpr std::array min_names = {"NEAREST",
+                                  "LINEAR",
+                                  "NEAREST_MIPMAP_NEAREST",
+                                  "NEAREST_MIPMAP_LINEAR",
+                                  "LINEAR_MIPMAP_NEAREST",
+                                  "LINEAR_MIPMAP_LINEAR"};
+constexpr std::array mag_names = {"NEAREST", "LINEAR"};
+constexpr std::array wrap_names = {"REPEAT", "CLAMP_TO_EDGE", "MIRRORED_REPEAT"};
+constexpr std::array uniform_names = {"float", "vec2",  "vec3",  "vec4", "int",
+                                      "ivec2", "ivec3", "ivec4", "mat4"};
+
+template <std::size_t size, typename Enum>
+const char* name_of(const std::array<const char*, size>& names, Enum value) {
+  return names.at(static_cast<std::size_t>(value));
+}
+
+class Describer {
+ public:
+  explicit Describer(const Project& project) : project_(project) {}
+
+  Json describe() {
+    Json passes = Json::array();
+    for (const Pass& pass : project_.passes) passes.push_back(describe(pass));
+    Json uniforms = Json::array();
+    for (const CustomUniform& uniform : project_.uniforms) uniforms.push_back(describe(uniform));
+    return {{"site", project_.dialect == Dialect::shadertoy},
+            {"files", project_.files},
+            {"passes", passes},
+            {"uniforms", uniforms},
+            {"media", media_}};
+  }
+
+ private:
+  Json describe(const Pass& pass) {
+    Json inputs = Json::array();
+    for (std::size_t i = 0; i < pass.inputs.size(); ++i)
+      if (pass.inputs[i].kind != InputKind::none)
+        inputs.push_back(describe(pass.inputs[i], static_cast<int>(i)));
+    return {{"name", pass.name},
+            {"kind", name_of(pass_kind_names, pass.kind)},
+            {"keyboard", pass.keyboard},
+            {"head", pass.source.head},
+            {"body", pass.source.body},
+            {"tail", pass.source.tail},
+            {"lines", runs(pass.source.lines)},
+            {"inputs", inputs}};
+  }
+
+  // Consecutive lines of one file: [count, file, first line].
+  static Json runs(const std::vector<SourceLine>& lines) {
+    Json result = Json::array();
+    for (std::size_t i = 0; i < lines.size();) {
+      std::size_t end = i + 1;
+      while (end < lines.size() && lines[end].file == lines[i].file &&
+             lines[end].line == lines[i].line + static_cast<int>(end - i))
+        ++end;
+      result.push_back({end - i, lines[i].file, lines[i].line});
+      i = end;
+    }
+    return result;
+  }
+
+  Json describe(const Input& input, int channel) {
+    Texture texture;
+    Json media = Json::array();
+    switch (input.kind) {
+      case InputKind::texture:
+      case InputKind::cubemap:
+      case InputKind::volume:
+        texture = load_texture(input);
+        media = add_picture(input, texture);
+        break;
+      case InputKind::music:
+      case InputKind::video:
+        media.push_back(add(input.files.front().string(), [&] { return data_url(input.files.front()); }));
+        break;
+      default:
+        break;
+    }
+    const glm::vec3 size =
+        channel_size(project_, input, texture.width == 0 ? nullptr : &texture, glm::ivec2(0));
+    const Sampler& sampler = input.sampler;
+    return {{"channel", channel},
+            {"kind", name_of(kind_names, input.kind)},
+            {"pass", input.pass},
+            {"media", media},
+            {"size", {size.x, size.y, size.z}},
+            {"min", name_of(min_names, sampler.min)},
+            {"mag", name_of(mag_names, sampler.mag)},
+            {"wrap", name_of(wrap_names, sampler.wrap)},
+            {"vflip", sampler.vflip},
+            {"red", input.red_only},
+            {"mipmaps", sampler.min != MinFilter::nearest && sampler.min != MinFilter::linear}};
+  }
+
+  // Files that a browser reads as we do go in as they are: it decodes 8 bits a channel.
+  Json add_picture(const Input& input, const Texture& texture) {
+    const bool as_files = texture.format == Texture::Format::rgba8 && texture.depth == 1 &&
+                          std::all_of(input.files.begin(), input.files.end(), [](const auto& file) {
+                            return media_type(file).starts_with("image/");
+                          });
+    Json indices = Json::array();
+    if (as_files) {
+      for (const auto& file : input.files)
+        indices.push_back(add(file.string(), [&] { return data_url(file); }));
+      return indices;
+    }
+    const std::size_t face_bytes = texture.data.size() / static_cast<std::size_t>(texture.faces);
+    for (int face = 0; face < texture.faces; ++face) {
+      const std::span<const std::byte> texels(
+          texture.data.data() + face_bytes * static_cast<std::size_t>(face), face_bytes);
+      const std::string key =
+          input.files.front().string() + (input.sampler.vflip ? " flipped " : " ") + std::to_string(face);
+      indices.push_back(add(key, [&] {
+        return Json{{"width", texture.width},
+                    {"height", texture.height},
+                    {"depth", texture.depth},
+                    {"format", texture.format == Texture::Format::rgba8 ? "rgba8" : "rgba32f"},
+                    {"base64", base64(texels)}};
+      }));
+    }
+    return indices;
+  }
+
+  // Each medium stands in the page once, whatever number of channels reads it.
+  template <typename Make>
+  std::size_t add(const std::string& key, const Make& make) {
+    const auto [found, is_new] = media_index_.emplace(key, media_.size());
+    if (is_new) media_.push_back(make());
+    return found->second;
+  }
+
+  static Json describe(const CustomUniform& uniform) {
+    return {{"name", uniform.name},       {"type", name_of(uniform_names, uniform.type)},
+            {"color", uniform.is_color},  {"value", uniform.value},
+            {"range", uniform.has_range}, {"min", uniform.min},
+            {"max", uniform.max},         {"step", uniform.step}};
+  }
+
+  const Project& project_;
+  Json media_ = Json::array();
+  std::map<std::string, std::size_t> media_index_;
+};
+
+// JSON that an HTML parser leaves alone: "</script>" can't stand in it.
+std::string json_in_html(const Json& json) {
+  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string result;
+  result.reserve(text.size());
+  for (const char c : text)
+    if (c == '<')
+      result += "\\u003c";
+    else
+      result += c;
+  return result;
+}
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  return result;
+}
+
+}  // namespace
+
+std::string html_player(const Project& project, const std::string& title) {
+  const std::map<std::string, std::string, std::less<>> parts = {
+      {"title", escaped(title)},
+      {"style", std::string(page_style)},
+      {"script", std::string(page_script)},
+      {"project", json_in_html(Describer(project).describe())}};
+  std::string page;
+  std::string_view rest = page_template;
+  for (std::size_t open = rest.find("{{"); open != std::string_view::npos; open = rest.find("{{")) {
+    const std::size_t close = rest.find("}}", open);
+    page.append(rest.substr(0, open)).append(parts.find(rest.substr(open + 2, close - open - 2))->second);
+    rest.remove_prefix(close + 2);
+  }
+  return page.append(rest);
+}
+
+}  // namespace shadertwin

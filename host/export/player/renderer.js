@@ -1,0 +1,294 @@
+// Draws the passes of a project: targets, uniforms, the order of things.
+
+const cubeSize = 1024;
+const keyboardUnit = 10;
+
+const uniformSetters = {
+  iResolution: 'uniform3fv',
+  iTime: 'uniform1f',
+  iTimeDelta: 'uniform1f',
+  iFrameRate: 'uniform1f',
+  iFrame: 'uniform1i',
+  iDate: 'uniform4fv',
+  iMouse: 'uniform4fv',
+  iMouseButton: 'uniform4fv',
+  iSampleRate: 'uniform1f',
+  iChannelTime: 'uniform1fv',
+  iChannelResolution: 'uniform3fv',
+  iTimeOffset: 'uniform1f',
+  iSampleOffset: 'uniform1i',
+};
+
+const customSetters = {
+  float: ['uniform1fv', 1],
+  vec2: ['uniform2fv', 2],
+  vec3: ['uniform3fv', 3],
+  vec4: ['uniform4fv', 4],
+  int: ['uniform1iv', 1],
+  ivec2: ['uniform2iv', 2],
+  ivec3: ['uniform3iv', 3],
+  ivec4: ['uniform4iv', 4],
+};
+
+const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+
+class Renderer {
+  constructor(canvas, project) {
+    const gl = canvas.getContext('webgl2', {
+      alpha: false,
+      antialias: false,
+      depth: false,
+      powerPreference: 'high-performance',
+      preserveDrawingBuffer: true, // where a shader discards, the last picture stays
+    });
+    if (!gl) throw new Error('This browser has no WebGL2.');
+    if (!gl.getExtension('EXT_color_buffer_float')) throw new Error('This device cannot draw into float textures.');
+    gl.getExtension('OES_texture_float_linear');
+    this.gl = gl;
+    this.canvas = canvas;
+    this.project = project;
+    this.passes = project.passes;
+    this.drawn = this.passes.filter((pass) => pass.kind !== 'sound');
+    this.shown = this.passes.at(-1);
+    this.sounds = new Sounds();
+    this.media = [];
+  }
+
+  // Compiles and loads. Gives the compiler's messages; with any, nothing can be drawn.
+  async start() {
+    const { gl } = this;
+    gl.disable(gl.DITHER);
+    const messages = await compilePasses(gl, this.project);
+    if (messages.length > 0) return messages;
+    this.copy = startProgram(gl, copy).program;
+    const read = new Set(this.passes.flatMap((pass) => pass.inputs.map((input) => this.passes[input.pass])));
+    for (const pass of this.passes) {
+      this.findUniforms(pass);
+      // The picture needs no float target of its own when no pass reads it.
+      if (pass.kind !== 'sound' && (pass !== this.shown || read.has(pass))) this.prepareTarget(pass);
+      for (const input of pass.inputs) await this.loadInput(input);
+    }
+    if (this.passes.some((pass) => pass.keyboard)) this.needKeyboard();
+    return [];
+  }
+
+  findUniforms(pass) {
+    const { gl } = this;
+    gl.useProgram(pass.program);
+    pass.uniforms = [];
+    const count = gl.getProgramParameter(pass.program, gl.ACTIVE_UNIFORMS);
+    for (let i = 0; i < count; ++i) {
+      const name = gl.getActiveUniform(pass.program, i).name.replace('[0]', '');
+      const location = gl.getUniformLocation(pass.program, name);
+      const custom = this.project.uniforms.find((uniform) => uniform.name === name);
+      const channel = /^iCh(?:annel(\d)|(\d)\.sampler)$/.exec(name);
+      const member = /^iCh(\d)\.(size|time|loaded)$/.exec(name);
+      if (channel) gl.uniform1i(location, Number(channel[1] ?? channel[2]));
+      else if (member) pass.uniforms.push({ location, channel: Number(member[1]), member: member[2] });
+      else if (name === 'iKeyboard') gl.uniform1i(location, keyboardUnit);
+      else if (name === 'iViewMatrix') gl.uniformMatrix4fv(location, false, identity);
+      else if (name === 'shadertwin_face') pass.face = location;
+      else if (custom) pass.uniforms.push({ location, custom, setter: customSetters[custom.type] });
+      else if (uniformSetters[name]) pass.uniforms.push({ location, name, setter: uniformSetters[name] });
+    }
+  }
+
+  prepareTarget(pass) {
+    const { gl, passes } = this;
+    const cube = pass.kind === 'cubemap';
+    const readers = passes.flatMap((p) => p.inputs).filter((input) => passes[input.pass] === pass);
+    pass.target = {
+      kind: cube ? gl.TEXTURE_CUBE_MAP : gl.TEXTURE_2D,
+      format: cube ? gl.RGBA16F : gl.RGBA32F,
+      mipmaps: readers.some((input) => input.mipmaps),
+      size: null,
+      pictures: [],
+      front: 0,
+    };
+  }
+
+  needKeyboard() {
+    this.keyboard ??= makeTable(this.gl, 256, this.project.site ? 3 : 4);
+    this.keyboard.sampler ??= makeSampler(this.gl, { min: 'NEAREST', mag: 'NEAREST', wrap: 'CLAMP_TO_EDGE' });
+    return this.keyboard;
+  }
+
+  async loadInput(input) {
+    const { gl, project } = this;
+    input.sampler = makeSampler(gl, input);
+    if (input.kind === 'keyboard') Object.assign(input, this.needKeyboard());
+    else if (input.kind === 'music' || input.kind === 'microphone')
+      input.source = await startSound(gl, input, project.media, this.sounds, !project.site);
+    else if (input.kind === 'video' || input.kind === 'webcam') input.source = await startVideo(gl, input, project.media);
+    else if (input.media.length > 0) input.source = await uploadPicture(gl, input, project.media);
+    if (input.source?.update) this.media.push(input.source);
+    if (input.kind === 'keyboard') input.source = this.keyboard;
+  }
+
+  // New targets keep, on shadertoy.com, the old pixels from the lower left corner up.
+  resize(width, height) {
+    const { gl, canvas } = this;
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    for (const { target } of this.passes.filter((pass) => pass.target)) {
+      const cube = target.kind === gl.TEXTURE_CUBE_MAP;
+      if (cube && target.size) continue;
+      const size = cube ? [cubeSize, cubeSize] : [width, height];
+      const old = target.size;
+      target.pictures = [0, 1].map((i) => this.makePicture(target, size, old && target.pictures[i], old));
+      target.size = size;
+    }
+  }
+
+  makePicture(target, size, previous, oldSize) {
+    const { gl } = this;
+    const texture = gl.createTexture();
+    gl.bindTexture(target.kind, texture);
+    gl.texStorage2D(target.kind, target.mipmaps ? levelsOf(...size) : 1, target.format, ...size);
+    const framebuffers = faceTargets(gl, target.kind).map((face) => {
+      const framebuffer = gl.createFramebuffer();
+      gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, face, texture, 0);
+      return framebuffer;
+    });
+    if (previous) {
+      if (this.project.site) {
+        const [w, h] = [0, 1].map((axis) => Math.min(size[axis], oldSize[axis]));
+        gl.bindFramebuffer(gl.READ_FRAMEBUFFER, previous.framebuffers[0]);
+        gl.blitFramebuffer(0, 0, w, h, 0, 0, w, h, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+      }
+      previous.framebuffers.forEach((framebuffer) => gl.deleteFramebuffer(framebuffer));
+      gl.deleteTexture(previous.texture);
+    }
+    return { texture, framebuffers };
+  }
+
+  clear() {
+    const { gl } = this;
+    for (const { target } of this.passes.filter((pass) => pass.target))
+      for (const framebuffer of target.pictures.flatMap((picture) => picture.framebuffers)) {
+        gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+        gl.clearBufferfv(gl.COLOR, 0, [0, 0, 0, 0]);
+      }
+  }
+
+  // frame: index, time, timeDelta, frameRate, date, mouse, buttons, keys.
+  draw(frame) {
+    if (frame.index === 0) this.clear();
+    this.keyboard?.update(frame.keys, !this.project.site);
+    for (const medium of this.media) medium.update();
+    for (const pass of this.drawn) this.drawPass(pass, frame);
+    if (this.shown.target) this.show();
+  }
+
+  // Gives the sizes of what is bound.
+  bindInputs(pass) {
+    const { gl } = this;
+    for (let unit = 0; unit < keyboardUnit; ++unit) {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      for (const kind of [gl.TEXTURE_2D, gl.TEXTURE_CUBE_MAP, gl.TEXTURE_3D]) gl.bindTexture(kind, null);
+      gl.bindSampler(unit, null);
+    }
+    const sizes = new Float32Array(30);
+    for (const input of pass.inputs) {
+      const source = this.passes[input.pass];
+      gl.activeTexture(gl.TEXTURE0 + input.channel);
+      gl.bindSampler(input.channel, input.sampler);
+      if (source) gl.bindTexture(source.target.kind, source.target.pictures[source.target.front].texture);
+      else if (input.source) gl.bindTexture(input.source.target, input.source.texture);
+      if (input.kind === 'keyboard') gl.bindSampler(input.channel, this.keyboard.sampler);
+      sizes.set(source ? [...source.target.size, 1] : input.size, 3 * input.channel);
+    }
+    if (this.keyboard) {
+      gl.activeTexture(gl.TEXTURE0 + keyboardUnit);
+      gl.bindTexture(gl.TEXTURE_2D, this.keyboard.texture);
+      gl.bindSampler(keyboardUnit, this.keyboard.sampler);
+    }
+    return sizes;
+  }
+
+  setUniforms(pass, size, values) {
+    const { gl } = this;
+    const times = new Float32Array(4);
+    for (const input of pass.inputs) if (input.channel < 4) times[input.channel] = input.source?.element?.currentTime ?? 0;
+    const all = {
+      ...values,
+      iResolution: [...size, 1],
+      iSampleRate: this.project.site || pass.inputs.some((i) => i.kind === 'music' || i.kind === 'microphone') ? 44100 : 0,
+      iChannelTime: times,
+    };
+    const sizes = values.iChannelResolution;
+    for (const { location, name, custom, setter, channel, member } of pass.uniforms)
+      if (member === 'size') gl.uniform3fv(location, sizes.subarray(3 * channel, 3 * channel + 3));
+      else if (member === 'time') gl.uniform1f(location, times[channel]);
+      else if (member === 'loaded') gl.uniform1i(location, pass.inputs.some((i) => i.channel === channel) ? 1 : 0);
+      else if (custom) gl[setter[0]](location, custom.value.slice(0, setter[1]));
+      else if (name !== 'iChannelResolution') gl[setter](location, all[name]);
+      else gl[setter](location, sizes.subarray(0, this.project.site ? 12 : 30));
+  }
+
+  drawPass(pass, frame) {
+    const { gl, canvas } = this;
+    const { target } = pass;
+    const size = target?.size ?? [canvas.width, canvas.height];
+    gl.useProgram(pass.program);
+    this.setUniforms(pass, size, {
+      iTime: frame.time,
+      iTimeDelta: frame.timeDelta,
+      iFrameRate: frame.frameRate,
+      iFrame: frame.index,
+      iDate: frame.date,
+      iMouse: frame.mouse,
+      iMouseButton: frame.buttons,
+      iChannelResolution: this.bindInputs(pass),
+    });
+    gl.viewport(0, 0, ...size);
+    const back = target ? 1 - target.front : 0;
+    const framebuffers = target ? target.pictures[back].framebuffers : [null];
+    for (const [face, framebuffer] of framebuffers.entries()) {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+      if (pass.face) gl.uniform1i(pass.face, face);
+      // The extension clears every target before it draws, which shows where a shader discards.
+      if (!this.project.site) gl.clearBufferfv(gl.COLOR, 0, [0, 0, 0, 0]);
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
+    }
+    if (!target) return;
+    target.front = back;
+    if (!target.mipmaps) return;
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(target.kind, target.pictures[back].texture);
+    gl.generateMipmap(target.kind);
+  }
+
+  show() {
+    const { gl } = this;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.useProgram(this.copy);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, this.shown.target.pictures[this.shown.target.front].texture);
+    gl.bindSampler(0, null);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  // What a pass drew last: width, height and RGBA, the bottom row first. Float32, but for a picture that only the canvas
+  // holds: 8 bits, as fractions of 1. The faces of a cubemap stand on top of one another, +X lowest.
+  read(pass) {
+    const { gl, canvas } = this;
+    const { target } = pass;
+    const [width, height] = target?.size ?? [canvas.width, canvas.height];
+    const framebuffers = target ? target.pictures[target.front].framebuffers : [null];
+    const rgba = new Float32Array(4 * width * height * framebuffers.length);
+    for (const [face, framebuffer] of framebuffers.entries()) {
+      const part = rgba.subarray(4 * width * height * face, 4 * width * height * (face + 1));
+      gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+      if (target) {
+        gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, part);
+      } else {
+        const bytes = new Uint8Array(part.length);
+        gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+        part.set(Float32Array.from(bytes, (byte) => byte / 255));
+      }
+    }
+    return { width, height: height * framebuffers.length, rgba };
+  }
+}
