@@ -1,0 +1,6 @@
+void mainImage(out vec4 c, in vec2 p)
+{
+    if (iFrame == 2 && p.x > 4.0)
+        discard;
+    c = vec4(10 + iFrame, 0.0, 0.0, 1.0);
+}

@@ -1,0 +1,1 @@
+float shared_value() { return 1.0; }
