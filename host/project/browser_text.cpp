@@ -262,6 +262,7 @@ class Rewriter {
     std::string result;
     std::size_t copied = 0;
     for (const Edit& edit : edits_) {
+      if (edit.begin < copied) continue;  // what is dropped needs no other change
       result.append(text_.substr(copied, edit.begin - copied)).append(edit.text);
       copied = edit.begin + edit.length;
     }

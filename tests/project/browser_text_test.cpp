@@ -31,6 +31,7 @@ TEST(BrowserText, NamesParametersWithoutOne) {
 TEST(BrowserText, DropsWhatFollowsADirective) {
   EXPECT_EQ(as_in_a_browser("#ifdef A B\n#else A // c\n#endif A\n", true),
             "#ifdef A \n#else  // c\n#endif \n");
+  EXPECT_EQ(as_in_a_browser("#ifdef A\n#endif buffer\nint x;\n", true), "#ifdef A\n#endif \nint x;\n");
   EXPECT_EQ(as_in_a_browser("#if A > 1\n#elif B\n#endif\n#endif", true),
             "#if A > 1\n#elif B\n#endif\n#endif");
 }
