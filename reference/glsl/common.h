@@ -5,8 +5,7 @@
 
 namespace shadertwin::glsl::inline SHADERTWIN_PRECISION {
 
-// --- Magnitude and rounding
-// ---------------------------------------------------------------------------------
+// --- Magnitude and rounding -------------------------------------------------
 
 SHADERTWIN_INLINE Float abs(Float x) {
   return std::fabs(x);
@@ -72,8 +71,7 @@ SHADERTWIN_INLINE vec4 modf(vec4 x, vec4& whole) {
   return x - whole;
 }
 
-// --- Smaller and larger
-// -------------------------------------------------------------------------------------
+// --- Smaller and larger -----------------------------------------------------
 
 // The other operand if one is a NaN; of two zeros the second.
 SHADERTWIN_INLINE Float min(Float a, Float b) {
@@ -132,8 +130,7 @@ SHADERTWIN_ORDER(ivec, int)
 SHADERTWIN_ORDER(uvec, uint)
 #undef SHADERTWIN_ORDER
 
-// --- Blending
-// -----------------------------------------------------------------------------------------------
+// --- Blending ---------------------------------------------------------------
 
 SHADERTWIN_INLINE Float mix(Float a, Float b, Float t) {
   return a + t * (b - a);
@@ -175,8 +172,7 @@ SHADERTWIN_BLEND(3)
 SHADERTWIN_BLEND(4)
 #undef SHADERTWIN_BLEND
 
-// --- Classification and bits
-// --------------------------------------------------------------------------------
+// --- Classification and bits ------------------------------------------------
 
 SHADERTWIN_INLINE bool isnan(Float x) {
   return x != x;

@@ -10,8 +10,7 @@
 
 namespace shadertwin::glsl::inline SHADERTWIN_PRECISION {
 
-// --- Roots
-// --------------------------------------------------------------------------------------------------
+// --- Roots ------------------------------------------------------------------
 
 SHADERTWIN_INLINE Float sqrt(Float x) {
   SHADERTWIN_PROBE(x < 0, sqrt_negative);
@@ -24,8 +23,7 @@ SHADERTWIN_INLINE Float inversesqrt(Float x) {
 SHADERTWIN_MAP_1(sqrt, vec, vec)
 SHADERTWIN_MAP_1(inversesqrt, vec, vec)
 
-// --- Exponentials
-// -------------------------------------------------------------------------------------------
+// --- Exponentials -----------------------------------------------------------
 
 namespace detail {
 

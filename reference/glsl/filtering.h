@@ -16,8 +16,7 @@ namespace shadertwin::glsl::filtering {
 using Color = std::array<float, 4>;
 using Wrap = SamplerState::Wrap;
 
-// --- Conversions
-// --------------------------------------------------------------------------------------------
+// --- Conversions ------------------------------------------------------------
 
 inline int toward_zero(float x) {
 #if defined(__SSE2__)
@@ -49,8 +48,7 @@ inline float mirrored(float x) {
   return detail::first_if_greater(std::fabs(fraction + fraction), 0.0F);
 }
 
-// --- One axis of nearest filtering
-// --------------------------------------------------------------------------
+// --- One axis of nearest filtering ------------------------------------------
 
 // `length`: texels of the level; `power_of_two`: whether the base level's is one. `whole_offset`: the path
 // for RGBA8 adds the offset after rounding.
@@ -73,8 +71,7 @@ inline int nearest_texel(float x, int length, int offset, Wrap wrap, bool power_
   return 0;
 }
 
-// --- One axis of linear filtering
-// ---------------------------------------------------------------------------
+// --- One axis of linear filtering -------------------------------------------
 
 // Two texels and the weight of the second.
 struct Pair {
@@ -149,8 +146,7 @@ inline FixedPair fixed_texels(float x, int length, int offset, Wrap wrap, bool p
   return {first, from && to ? first + 1 : first, position & 255};
 }
 
-// --- Blending
-// -----------------------------------------------------------------------------------------------
+// --- Blending ---------------------------------------------------------------
 
 inline float blend(float weight, float a, float b) {
   return detail::multiply_add(weight, b - a, a);
@@ -177,8 +173,7 @@ inline Color to_color(const Bytes& bytes) {
           static_cast<float>(bytes[2]) * scale, static_cast<float>(bytes[3]) * scale};
 }
 
-// --- Texels
-// -------------------------------------------------------------------------------------------------
+// --- Texels -----------------------------------------------------------------
 
 // `layer`: a slice or a face.
 inline std::size_t texel_index(const TextureLevel& level, int x, int y, int layer) {
@@ -195,8 +190,7 @@ inline Color color_at(const TextureView& view, const TextureLevel& level, int x,
   return {rgba[0], rgba[1], rgba[2], rgba[3]};
 }
 
-// --- Cubes
-// --------------------------------------------------------------------------------------------------
+// --- Cubes ------------------------------------------------------------------
 
 // Where a direction meets the cube.
 struct CubePoint {

@@ -6,8 +6,7 @@
 
 namespace shadertwin::glsl::inline SHADERTWIN_PRECISION {
 
-// --- Division
-// -----------------------------------------------------------------------------------------------
+// --- Division ---------------------------------------------------------------
 
 // By zero: 0 for int, all bits set for uint, as llvmpipe has it. INT_MIN / -1 is INT_MIN.
 SHADERTWIN_INLINE int divide(int a, int b) {
@@ -41,8 +40,7 @@ SHADERTWIN_DIVISION(modulo, ivec, int)
 SHADERTWIN_DIVISION(modulo, uvec, uint)
 #undef SHADERTWIN_DIVISION
 
-// --- Shifts
-// -------------------------------------------------------------------------------------------------
+// --- Shifts -----------------------------------------------------------------
 
 // Only the lower five bits of the amount count.
 SHADERTWIN_INLINE uint shift_left(uint a, uint b) {
@@ -86,8 +84,7 @@ SHADERTWIN_SHIFT(shift_left)
 SHADERTWIN_SHIFT(shift_right)
 #undef SHADERTWIN_SHIFT
 
-// --- Relations
-// ----------------------------------------------------------------------------------------------
+// --- Relations --------------------------------------------------------------
 
 #define SHADERTWIN_RELATION(name, operation, family)                                          \
   SHADERTWIN_INLINE bvec2 name(family##2 a, family##2 b) {                                    \

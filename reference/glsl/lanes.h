@@ -17,8 +17,7 @@ constexpr Float half_pi = Float(1.57079632679489661923);
 
 #ifndef SHADERTWIN_DOUBLE
 
-// --- One number
-// ---------------------------------------------------------------------------------------------
+// --- One number -------------------------------------------------------------
 
 template <class F>
 struct IntegersOf {
@@ -50,8 +49,7 @@ SHADERTWIN_INLINE float to_float(int x) {
   return static_cast<float>(x);
 }
 
-// --- Four numbers
-// -------------------------------------------------------------------------------------------
+// --- Four numbers -----------------------------------------------------------
 
 #ifdef __SSE4_1__
 #define SHADERTWIN_LANES
@@ -155,8 +153,7 @@ SHADERTWIN_INLINE F negated(F x) {
 
 #endif
 
-// --- Smaller and larger of one number
-// -----------------------------------------------------------------------
+// --- Smaller and larger of one number ---------------------------------------
 
 #if defined(__SSE2__) && !defined(SHADERTWIN_DOUBLE)
 SHADERTWIN_INLINE float first_if_less(float a, float b) {

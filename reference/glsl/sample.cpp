@@ -15,8 +15,7 @@ using Mipmaps = SamplerState::Mipmaps;
 
 enum class Shape { flat, volume, cube };
 
-// --- Level of detail
-// ----------------------------------------------------------------------------------------
+// --- Level of detail --------------------------------------------------------
 
 // Linear between powers of two.
 float fast_log2(float x) {
@@ -67,8 +66,7 @@ Levels choose_levels(const TextureView& view, const SamplerState& state, const L
   return levels;
 }
 
-// --- One level
-// ----------------------------------------------------------------------------------------------
+// --- One level --------------------------------------------------------------
 
 struct Sampler {
   const TextureView& view;
@@ -141,8 +139,7 @@ Bytes bytes_of_level(const Sampler& s, const TextureLevel& level, bool linear) {
   return filtering::blend(z.weight, slice(z.first), slice(z.second));
 }
 
-// --- The whole
-// ----------------------------------------------------------------------------------------------
+// --- The whole --------------------------------------------------------------
 
 template <Shape shape>
 void sample(const TextureView& view, const SamplerState& state, const float* coordinates, const int* offset,

@@ -9,8 +9,7 @@
 
 namespace shadertwin::glsl {
 
-// --- What is bound
-// ------------------------------------------------------------------------------------------
+// --- What is bound ----------------------------------------------------------
 
 // One mipmap level. Faces of a cube or slices of a volume follow one another.
 struct TextureLevel {
@@ -69,8 +68,7 @@ struct samplerCube {
   BoundTexture bound;
 };
 
-// --- Derivatives
-// --------------------------------------------------------------------------------------------
+// --- Derivatives ------------------------------------------------------------
 
 // A value in the four pixels (0, 0), (1, 0), (0, 1), (1, 1) of a square whose first pixel has even
 // coordinates.
@@ -93,8 +91,7 @@ SHADERTWIN_INLINE T fwidth(const Quad<T>& quad, int lane) {
   return abs(dFdx(quad, lane)) + abs(dFdy(quad, lane));
 }
 
-// --- Level of detail
-// ----------------------------------------------------------------------------------------
+// --- Level of detail --------------------------------------------------------
 
 // The level that a quad's coordinates ask for, shared by its four pixels. Lod{} is the base level, magnified.
 struct Lod {
@@ -213,8 +210,7 @@ inline Lod implicit_lod(const samplerCube& s, const Quad<vec3>& p) {
   return detail::lod_of_quad(s.bound, p);
 }
 
-// --- GLSL's functions
-// ---------------------------------------------------------------------------------------
+// --- GLSL's functions -------------------------------------------------------
 
 inline ivec2 textureSize(const sampler2D& s, int lod) {
   return detail::size_of(s.bound, lod).xy();

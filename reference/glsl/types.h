@@ -45,7 +45,8 @@
 
 // Small enough that a call would cost more than the work.
 #define SHADERTWIN_INLINE [[gnu::always_inline]] inline
-// Long and rare. GCC 12 also stumbles (an internal error of its SLP pass) over atan2 inlined with constant arguments.
+// Long and rare. GCC 12 also stumbles (an internal error of its SLP pass) over atan2 inlined with constant
+// arguments.
 #define SHADERTWIN_OUTLINE [[gnu::noinline]]
 
 namespace shadertwin::glsl::inline SHADERTWIN_PRECISION {

@@ -6,8 +6,7 @@
 
 namespace shadertwin::glsl::inline SHADERTWIN_PRECISION {
 
-// --- Geometry
-// -----------------------------------------------------------------------------------------------
+// --- Geometry ---------------------------------------------------------------
 
 SHADERTWIN_INLINE Float dot(Float a, Float b) {
   return a * b;
@@ -77,8 +76,7 @@ SHADERTWIN_GEOMETRY(3)
 SHADERTWIN_GEOMETRY(4)
 #undef SHADERTWIN_GEOMETRY
 
-// --- Products of matrices
-// -----------------------------------------------------------------------------------
+// --- Products of matrices ---------------------------------------------------
 
 // Overloads for each type, which are preferred to GLM's templates: those add in another order.
 namespace detail {
@@ -192,8 +190,7 @@ SHADERTWIN_MATRIX(4, 3)
 SHADERTWIN_MATRIX(4, 4)
 #undef SHADERTWIN_MATRIX
 
-// --- Determinants and inverses
-// ------------------------------------------------------------------------------
+// --- Determinants and inverses ----------------------------------------------
 
 namespace detail {
 
