@@ -9,11 +9,17 @@ namespace shadertwin::gl {
 
 namespace {
 
-constexpr const char* vertex_text = R"(#version 300 es
+constexpr const char* vertex_text = R"(
 void main() {
   gl_Position = vec4(vec2((gl_VertexID << 1) & 2, gl_VertexID & 2) * 2.0 - 1.0, 0.0, 1.0);
 }
 )";
+
+// Both stages of a program have to name the same version.
+std::string vertex_text_for(const std::string& fragment_text) {
+  const std::string first_line = fragment_text.substr(0, fragment_text.find('\n'));
+  return (first_line.starts_with("#version") ? first_line : "#version 300 es") + vertex_text;
+}
 
 std::string trimmed(std::string log) {
   while (!log.empty() && (log.back() == '\n' || log.back() == '\0' || log.back() == ' ')) log.pop_back();
@@ -75,9 +81,12 @@ void link(const Functions& gl, GLuint program, const Pass& pass) {
 }  // namespace
 
 Program Program::fragment(const Functions& gl, const Project& project, const Pass& pass) {
-  const Shader vertex(gl, GL_VERTEX_SHADER, vertex_text);
+  const std::string vertex_source = vertex_text_for(pass.source.text());
+  const Shader vertex(gl, GL_VERTEX_SHADER, vertex_source);
   if (!vertex.compiled())
-    throw Error(ExitStatus::device, "this OpenGL does not take `#version 300 es` shaders: " + vertex.log());
+    throw Error(ExitStatus::device, "this OpenGL does not take `" +
+                                        vertex_source.substr(0, vertex_source.find('\n')) +
+                                        "` shaders: " + vertex.log());
   const Shader fragment(gl, GL_FRAGMENT_SHADER, pass.source.text());
   compile(fragment, project, pass, 1);
   Program program(gl);
