@@ -48,7 +48,7 @@ CppExpressions::Text CppExpressions::special_case(const TIntermAggregate& node) 
     }
     case EOpMin:
     case EOpMax:  // the order shows in the sign of a zero
-      if (precise || !is_constant(*sequence[0]) || is_constant(*sequence[1])) return {};
+      if (!is_constant(*sequence[0]) || is_constant(*sequence[1])) return {};
       if (sequence[0]->getAsTyped()->getVectorSize() != sequence[1]->getAsTyped()->getVectorSize()) return {};
       return call(node.getOp() == EOpMin ? "min" : "max", {sequence[1], sequence[0]});
     case EOpPow: {

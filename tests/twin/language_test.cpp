@@ -9,6 +9,7 @@
 
 #include "host/gl/gl_player.h"
 #include "host/player/fixed_clock.h"
+#include "reference/emit/emit_precise.h"
 #include "reference/twin/twin_player.h"
 
 namespace shadertwin {
@@ -53,8 +54,7 @@ void expect_same(const Image& twin, const Image& gl, float relative) {
 
 class Language : public testing::TestWithParam<fs::path> {};
 
-TEST_P(Language, TwinAndLlvmpipeGiveTheSameBits) {
-  const Project project = load_project(GetParam());
+void expect_same_frames(const Project& project, float relative) {
   const auto twin = twin::TwinPlayer::create(project);
   const auto gl = gl::GlPlayer::create(gl::open_context("egl"), project, {gl::Dispatch::fragment});
   Schedule schedule;
@@ -66,8 +66,12 @@ TEST_P(Language, TwinAndLlvmpipeGiveTheSameBits) {
     twin->render(frame);
     gl->render(frame);
     const int last = static_cast<int>(project.passes.size()) - 1;
-    expect_same(twin->read(last), gl->read(last), tolerance(GetParam()));
+    expect_same(twin->read(last), gl->read(last), relative);
   }
+}
+
+TEST_P(Language, TwinAndLlvmpipeGiveTheSameBits) {
+  expect_same_frames(load_project(GetParam()), tolerance(GetParam()));
 }
 
 std::string shader_name(const testing::TestParamInfo<fs::path>& info) {
@@ -75,6 +79,21 @@ std::string shader_name(const testing::TestParamInfo<fs::path>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Language, testing::ValuesIn(shaders()), shader_name);
+
+// Sums of products in user code are what Mesa reorders otherwise.
+TEST(PreciseText, MakesMesaKeepTheOrderOfEveryOperation) {
+  const fs::path shader = fs::path(SHADERTWIN_SOURCE_DIR) / "tests/emit/shaders/uv_tricks.glsl";
+  expect_same_frames(emit_precise(load_project(shader)), 0.0F);
+}
+
+TEST(PreciseText, TakesEveryConstruct) {
+  for (const char* name : {"special_calls", "structs", "side_effects", "ternary"}) {
+    SCOPED_TRACE(name);
+    const fs::path shader =
+        fs::path(SHADERTWIN_SOURCE_DIR) / "tests/emit/shaders" / (name + std::string(".glsl"));
+    expect_same_frames(emit_precise(load_project(shader)), 0.0F);
+  }
+}
 
 }  // namespace
 }  // namespace shadertwin

@@ -1,0 +1,283 @@
+#include "reference/emit/emit_precise.h"
+
+#include <algorithm>
+#include <set>
+
+#include "reference/emit/syntax_tree.h"
+
+namespace shadertwin {
+namespace emit {
+namespace {
+
+// Gives back what it gets. Its parameter is precise, and with it whatever is computed for it.
+constexpr const char* exact = "shadertwin_exact";
+
+// What GLSL ES 3.20 has and 3.00 leaves to the shader: keywords and built-in functions.
+const std::set<std::string>& claimed_names() {
+  static const std::set<std::string> names = {"atomicAdd",
+                                              "atomicAnd",
+                                              "atomicCompSwap",
+                                              "atomicCounter",
+                                              "atomicExchange",
+                                              "atomicMax",
+                                              "atomicMin",
+                                              "atomicOr",
+                                              "atomicXor",
+                                              "atomic_uint",
+                                              "barrier",
+                                              "bitCount",
+                                              "bitfieldExtract",
+                                              "bitfieldInsert",
+                                              "bitfieldReverse",
+                                              "buffer",
+                                              "coherent",
+                                              "findLSB",
+                                              "findMSB",
+                                              "fma",
+                                              "frexp",
+                                              "image2D",
+                                              "image2DArray",
+                                              "image3D",
+                                              "imageBuffer",
+                                              "imageCube",
+                                              "imageCubeArray",
+                                              "imageAtomicAdd",
+                                              "imageLoad",
+                                              "imageSize",
+                                              "imageStore",
+                                              "imulExtended",
+                                              "interpolateAtCentroid",
+                                              "interpolateAtOffset",
+                                              "interpolateAtSample",
+                                              "isamplerBuffer",
+                                              "ldexp",
+                                              "memoryBarrier",
+                                              "packSnorm4x8",
+                                              "packUnorm4x8",
+                                              "patch",
+                                              "precise",
+                                              "readonly",
+                                              "restrict",
+                                              "sample",
+                                              "samplerBuffer",
+                                              "samplerCubeArray",
+                                              "shared",
+                                              "texture2D",
+                                              "textureGather",
+                                              "textureGatherOffset",
+                                              "textureGatherOffsets",
+                                              "uaddCarry",
+                                              "umulExtended",
+                                              "unpackSnorm4x8",
+                                              "unpackUnorm4x8",
+                                              "usamplerBuffer",
+                                              "usubBorrow",
+                                              "volatile",
+                                              "writeonly"};
+  return names;
+}
+
+std::string exact_function(const std::string& type) {
+  return type + " " + exact + "(precise " + type + " x) { return x; }";
+}
+
+std::string exact_functions() {
+  std::string text;
+  for (const char* scalar : {"bool", "int", "uint", "float"}) text += exact_function(scalar) + ' ';
+  for (const std::string n : {"2", "3", "4"}) {
+    for (const std::string prefix : {"bvec", "ivec", "uvec", "vec", "mat"})
+      text += exact_function(prefix + n) + ' ';
+    for (const std::string m : {"2", "3", "4"}) {
+      if (m != n) text += exact_function("mat" + n + "x" + m) + ' ';
+    }
+  }
+  return text;
+}
+
+class PreciseText {
+ public:
+  explicit PreciseText(const SyntaxTree& tree)
+      : tokens_(tree.tokens()),
+        declarations_(tree.declarations()),
+        before_(tokens_.size()),
+        after_(tokens_.size()) {
+    for (int i = 0; i < size(); ++i) {
+      if (declarations_.is_declaration(i)) mark_declaration(i);
+    }
+    mark_statements();
+  }
+
+  // The lines of the whole text, with `line_count` of them.
+  std::vector<std::string> lines(int line_count) const {
+    std::vector<std::string> lines(static_cast<std::size_t>(line_count));
+    for (int i = 0; i < size(); ++i) {
+      std::string& line = lines[static_cast<std::size_t>(std::clamp(tokens_[i].line, 1, line_count) - 1)];
+      const std::string& token = tokens_[i].text;
+      if (!line.empty()) line += ' ';
+      line += before_[i] + (claimed_names().count(token) != 0 ? token + '_' : token) + after_[i];
+    }
+    return lines;
+  }
+
+ private:
+  int size() const { return static_cast<int>(tokens_.size()); }
+  const std::string& text(int token) const {
+    static const std::string none;
+    return token >= 0 && token < size() ? tokens_[token].text : none;
+  }
+
+  // `precise` stands in front of all that belongs to the declaration of token `name`.
+  void mark_declaration(int name) {
+    int start = name;
+    int depth = 0;
+    while (start > 0) {
+      const std::string& previous = text(start - 1);
+      if (previous == ")" || previous == "]") ++depth;
+      if ((previous == "(" || previous == "[") && depth-- == 0) break;
+      if (depth <= 0 && (previous == ";" || previous == "{" || previous == "}" || previous == "," ||
+                         previous == ":" || previous == "else" || previous == "do" || previous[0] == '#'))
+        break;
+      // The header of a loop or a condition ends in front of the statement; layout(...) does not.
+      if (previous == ")" && depth == 1 && text(opening(start - 1) - 1) != "layout") break;
+      --start;
+    }
+    static const std::set<std::string> not_computed = {"const",     "uniform",   "in",
+                                                       "sampler2D", "sampler3D", "samplerCube"};
+    bool is_parameter = text(start - 1) == "(" || text(start - 1) == ",";
+    if (start == name) return;  // a further name of a declaration
+    for (int i = start; i < name; ++i) {
+      const bool reads_only = text(i) == "in" || text(i) == "const";
+      if (text(i) == "struct" || (not_computed.count(text(i)) != 0 && !(is_parameter && reads_only))) return;
+    }
+    before_[start] = "precise " + before_[start];
+  }
+
+  int opening(int closing) const {
+    int depth = 0;
+    for (int i = closing; i >= 0; --i) {
+      if (text(i) == ")") ++depth;
+      if (text(i) == "(" && --depth == 0) return i;
+    }
+    return 0;
+  }
+
+  int closing(int opening) const {
+    int depth = 0;
+    for (int i = opening; i < size(); ++i) {
+      if (text(i) == "(") ++depth;
+      if (text(i) == ")" && --depth == 0) return i;
+    }
+    return size() - 1;
+  }
+
+  int end_of_statement(int token) const {
+    while (token < size() && text(token) != ";") ++token;
+    return token;
+  }
+
+  void wrap(int first, int end) {
+    if (first >= end || declares(first, end)) return;
+    before_[first] = std::string(exact) + "(" + before_[first];
+    after_[end - 1] += ")";
+  }
+
+  bool declares(int first, int end) const {
+    for (int i = first; i < end; ++i) {
+      if (declarations_.is_declaration(i)) return true;
+    }
+    return false;
+  }
+
+  void mark_statements() {
+    int depth = 0;
+    int start = 0;  // of what stands outside of functions
+    bool returns_one_value = false;
+    for (int i = 0; i < size(); ++i) {
+      const std::string& token = text(i);
+      if (token == "{" && depth++ == 0) returns_one_value = text(start) != "void" && text(start + 1) != "[";
+      if (token == "}") --depth;
+      if (depth == 0 && token == "}" && text(start) == "struct") mark_struct(start);
+      if (depth == 0 && (token == ";" || token == "}" || token[0] == '#')) start = skip_qualifiers(i + 1);
+      if (depth == 0) continue;
+      if (token == "if" || token == "while" || token == "switch") wrap(i + 2, closing(i + 1));
+      if (token == "for") {
+        const int test = end_of_statement(i) + 1;
+        wrap(test, end_of_statement(test));
+      }
+      if (token == "return" && returns_one_value) wrap(i + 1, end_of_statement(i));
+    }
+  }
+
+  int skip_qualifiers(int token) const {
+    static const std::set<std::string> precisions = {"highp", "mediump", "lowp"};
+    while (precisions.count(text(token)) != 0) ++token;
+    return token;
+  }
+
+  // A function for the structure, behind its declaration.
+  void mark_struct(int start) {
+    if (!is_identifier(text(start + 1)) || text(start + 2) != "{") return;
+    int depth = 0;
+    for (int i = start; i < size(); ++i) {
+      if (text(i) == "{") ++depth;
+      if (text(i) == "}") --depth;
+      if (depth == 0 && text(i) == ";") {
+        after_[i] += ' ' + exact_function(text(start + 1));
+        return;
+      }
+    }
+  }
+
+  const std::vector<Token>& tokens_;
+  const Declarations& declarations_;
+  std::vector<std::string> before_;
+  std::vector<std::string> after_;
+};
+
+int line_count(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n')) +
+         (!text.empty() && text.back() != '\n' ? 1 : 0);
+}
+
+std::string joined(const std::vector<std::string>& lines, int first, int count) {
+  std::string text;
+  for (int i = first; i < first + count; ++i) text += lines[static_cast<std::size_t>(i)] + '\n';
+  return text;
+}
+
+// The host's own output stays as it is written: the player that runs fragments as compute looks for it. What
+// it is given is precise already.
+void keep_output(const std::string& head, std::vector<std::string>& lines) {
+  std::size_t at = 0;
+  for (std::string& line : lines) {
+    const std::size_t end = head.find('\n', at);
+    if (end == std::string::npos) return;
+    const std::string original = head.substr(at, end - at);
+    if (original.rfind("layout(location = 0) out", 0) == 0) line = original;
+    at = end + 1;
+  }
+}
+
+PassSource precise_source(const Project& project, const PassSource& source) {
+  const SyntaxTree tree(project, source, Folding::float32);
+  const int head = line_count(source.head);
+  const int body = line_count(source.body);
+  const int tail = line_count(source.tail);
+  std::vector<std::string> lines = PreciseText(tree).lines(head + body + tail);
+  keep_output(source.head, lines);
+  lines[0] = "#version 320 es\nprecision highp float; precision highp int; " + exact_functions();
+  return {joined(lines, 0, head), joined(lines, head, body), joined(lines, head + body, tail), source.lines};
+}
+
+}  // namespace
+}  // namespace emit
+
+Project emit_precise(const Project& project) {
+  Project result = project;
+  for (Pass& pass : result.passes) {
+    if (pass.kind != PassKind::sound) pass.source = emit::precise_source(project, pass.source);
+  }
+  return result;
+}
+
+}  // namespace shadertwin
