@@ -43,10 +43,15 @@ TEST(EmitPrecise, LinesStayWhereTheyWere) {
 }
 
 TEST(EmitPrecise, NamesThatTheNewerVersionClaimsAreChanged) {
-  EXPECT_TRUE(contains(
-      precise_body("float fma(float buffer) { return buffer; }\nvoid mainImage(out vec4 c, in vec2 p) { c = "
-                   "vec4(fma(p.x)); }\n"),
-      "float fma_ ( precise float buffer_ ) { return shadertwin_exact(buffer_) ; }"));
+  Project project;
+  project.files = {"shader.glsl"};
+  Pass pass;
+  pass.source.head = "#version 300 es\nprecision highp float; out vec4 o;\n";
+  pass.source.body = "float fma(float buffer) { return buffer; } void main() { o = vec4(fma(1.0)); }\n";
+  pass.source.lines = {{0, 1}};
+  project.passes.push_back(pass);
+  EXPECT_TRUE(contains(emit_precise(project).passes[0].source.body,
+                       "float fma_ ( precise float buffer_ ) { return shadertwin_exact(buffer_) ; }"));
 }
 
 TEST(EmitPrecise, StructuresCanBeReturned) {
