@@ -336,6 +336,13 @@ TEST_F(SamplersOnLlvmpipe, VolumesAgree) {
   }
 }
 
+TEST_F(SamplersOnLlvmpipe, MipmapsOfVolumesAgree) {
+  for (const auto format : {rgba32f, rgba8}) {
+    const Setting setting{format, 8, 4, MinFilter::linear_mipmap_linear, MagFilter::linear, repeat};
+    expect_agreement(noise(setting, 4, 1), setting, "sampler3D", volume_cases(), &bind3d);
+  }
+}
+
 TEST_F(SamplersOnLlvmpipe, CubesAgree) {
   for (const auto format : {rgba32f, rgba8}) {
     for (const auto min : {MinFilter::nearest, MinFilter::linear, MinFilter::linear_mipmap_linear}) {
