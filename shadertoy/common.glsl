@@ -667,7 +667,7 @@ vec3 fresnelConductor(float cosine, vec3 eta2, vec3 k2)
     vec3 root = sqrt(max(0.5 * (modulus + difference), 0.0));
     vec3 sum1 = modulus + c2;
     vec3 product1 = (2.0 * c) * root;
-    vec3 rs = (sum1 - product1) / (sum1 + product1);
+    vec3 rs = (sum1 - product1) / max(sum1 + product1, 1.0e-30);
     vec3 sum2 = c2 * modulus + s2 * s2;
     vec3 product2 = product1 * s2;
     vec3 rp = (sum2 - product2) / (sum2 + product2);
