@@ -1,6 +1,8 @@
 #include "tests/shadertoy/bar.h"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <fstream>
@@ -55,16 +57,58 @@ const Backend& OnEveryBackend::backend() const {
   throw std::logic_error("no backend is called " + GetParam());
 }
 
-Table OnEveryBackend::run(const Probe& probe, const Table& inputs) const {
-  return run_probe(backend(), probe, inputs);
+namespace {
+
+std::uint32_t bits(float value) {
+  // NaN is NaN: which of them is left to the machine.
+  return std::isnan(value) ? 0x7fc00000U : std::bit_cast<std::uint32_t>(value);
 }
 
-Table OnEveryBackend::run(const Probe& probe, std::size_t cases) const {
-  return run_probe(backend(), probe, cases);
+// The float twin has to do what the first backend does, bit for bit.
+void expect_bits_of_first(const std::string& backend, const std::string& what,
+                          const std::function<Table(const Backend&)>& run, const Table& got) {
+  if (backend != "cpu") return;
+  const Table first = run(backends().front());
+  Bar bar(what + ", values whose bits are not those of " + backends().front().name);
+  for (std::size_t i = 0; i < got.cases(); ++i)
+    for (int texel = 0; texel < got.size(); ++texel)
+      for (int j = 0; j < 4; ++j) {
+        const float value = got.at(i, texel)[j];
+        const float expected = first.at(i, texel)[j];
+        bar.holds(bits(value) == bits(expected), static_cast<double>(value), static_cast<double>(expected),
+                  {{"case", static_cast<double>(i)}, {"result", texel}, {"component", j}});
+      }
+}
+
+std::string name_of(const Probe& probe) {
+  std::string name = probe.file + " " + std::to_string(probe.function);
+  for (const auto& [key, value] : probe.defines) name += " " + key + "=" + value;
+  return name;
+}
+
+}  // namespace
+
+Table OnEveryBackend::run(const Probe& probe, const Table& inputs) const {
+  Table got = run_probe(backend(), probe, inputs);
+  expect_bits_of_first(
+      GetParam(), name_of(probe), [&](const Backend& first) { return run_probe(first, probe, inputs); }, got);
+  return got;
 }
 
 Image OnEveryBackend::play(const Take& take) const {
-  return run_shader(backend(), take);
+  Image got = run_shader(backend(), take);
+  const auto table = [](const Image& image) {
+    Table texels(image.rgba.size() / 4, 1);
+    for (std::size_t i = 0; i < texels.cases(); ++i)
+      texels.at(i, 0) = {image.rgba[4 * i], image.rgba[4 * i + 1], image.rgba[4 * i + 2],
+                         image.rgba[4 * i + 3]};
+    return texels;
+  };
+  std::string name = take.file;
+  for (const auto& [key, value] : take.defines) name += " " + key + "=" + value;
+  expect_bits_of_first(
+      GetParam(), name, [&](const Backend& first) { return table(run_shader(first, take)); }, table(got));
+  return got;
 }
 
 std::vector<std::string> backend_names() {

@@ -49,7 +49,6 @@ class OnEveryBackend : public testing::TestWithParam<std::string> {
  protected:
   const Backend& backend() const;
   Table run(const Probe& probe, const Table& inputs) const;
-  Table run(const Probe& probe, std::size_t cases) const;
   Image play(const Take& take) const;
 };
 

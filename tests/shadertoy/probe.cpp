@@ -1,6 +1,7 @@
 #include "tests/shadertoy/probe.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 
 #include "host/gl/gl_player.h"
@@ -15,8 +16,10 @@ namespace {
 
 constexpr int input_channel = 9;
 
+// SHADERTWIN_SHADERS names a copy of shadertoy/ and tests/shadertoy/ to test instead: tools/mutants does.
 fs::path shader_folder() {
-  return fs::path(SHADERTWIN_SOURCE_DIR) / "tests" / "shadertoy";
+  const char* copy = std::getenv("SHADERTWIN_SHADERS");
+  return fs::path(copy ? copy : SHADERTWIN_SOURCE_DIR) / "tests" / "shadertoy";
 }
 
 // Table <-> picture, as probe.glsl says. The last row is padded with copies of the last case.
@@ -62,12 +65,10 @@ Table run(const Backend& backend, const Probe& probe, std::size_t cases, const f
   options.defines.emplace_back("INPUTS", std::to_string(probe.inputs));
   options.defines.emplace_back("OUTPUTS", std::to_string(probe.outputs));
   Project project = load_project(shader_folder() / probe.file, options);
-  if (!inputs.empty()) {
-    Input& input = project.passes.back().inputs[input_channel];
-    input.kind = InputKind::texture;
-    input.sampler = {MinFilter::nearest, MagFilter::nearest, Wrap::clamp, true};
-    input.files = {inputs};
-  }
+  Input& input = project.passes.back().inputs[input_channel];
+  input.kind = InputKind::texture;
+  input.sampler = {MinFilter::nearest, MagFilter::nearest, Wrap::clamp, true};
+  input.files = {inputs};
   const Layout layout{cases, probe.outputs};
   Frame frame;
   frame.width = layout.width();
@@ -93,10 +94,6 @@ Table run_probe(const Backend& backend, const Probe& probe, const Table& inputs)
   return run(backend, probe, inputs.cases(), folder / "inputs.exr");
 }
 
-Table run_probe(const Backend& backend, const Probe& probe, std::size_t cases) {
-  return run(backend, probe, cases, {});
-}
-
 Image run_shader(const Backend& backend, const Take& take) {
   LoadOptions options;
   options.defines = take.defines;
@@ -107,7 +104,8 @@ Image run_shader(const Backend& backend, const Take& take) {
   FixedClock clock(schedule, project.dialect);
   const auto player = backend.create(project);
   for (int i = 0; i < take.frames; ++i) player->render(clock.next());
-  return player->read(static_cast<int>(project.passes.size()) - 1);
+  const int last = static_cast<int>(project.passes.size()) - 1;
+  return player->read(take.pass.empty() ? last : find_pass(project, take.pass));
 }
 
 }  // namespace shadertwin

@@ -57,9 +57,6 @@ struct Probe {
 // The results of every case. Throws Error(shader) if the probe does not compile.
 Table run_probe(const Backend& backend, const Probe& probe, const Table& inputs);
 
-// The same for a probe that makes up its own inputs from the index of the case.
-Table run_probe(const Backend& backend, const Probe& probe, std::size_t cases);
-
 // A whole shader of this folder, played for some frames.
 struct Take {
   std::string file;
@@ -67,9 +64,10 @@ struct Take {
   int height = 18;
   int frames = 1;
   std::vector<std::pair<std::string, std::string>> defines = {};
+  std::string pass = {};  // the last one if empty
 };
 
-// The picture after the last frame.
+// What the pass holds after the last frame.
 Image run_shader(const Backend& backend, const Take& take);
 
 }  // namespace shadertwin
