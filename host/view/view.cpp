@@ -4,17 +4,16 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <optional>
 
 #include "host/base/error.h"
 #include "host/image/image.h"
-#include "host/player/inputs.h"
+#include "host/view/capture.h"
 #include "host/view/keys.h"
 #include "host/view/overlay.h"
 #include "host/view/panels.h"
+#include "host/view/playing.h"
 #include "host/view/presenter.h"
-#include "host/view/recorder.h"
 #include "host/view/reloader.h"
 #include "host/view/shown_text.h"
 #include "host/view/window.h"
@@ -37,10 +36,12 @@ struct Scale {
 };
 constexpr std::array<Scale, 4> scales = {{{1, 1, ""}, {1, 2, " (1/2)"}, {1, 4, " (1/4)"}, {2, 1, " (2)"}}};
 
-std::string stem_of(const fs::path& shader) {
-  const fs::path name = shader.has_filename() ? shader : shader.parent_path();
-  const std::string stem = fs::absolute(name).lexically_normal().stem().string();
-  return stem.empty() ? "shader" : stem;
+int pass_called(const Project& project, const std::string& name) {
+  const int pass = find_pass(project, name);
+  if (pass >= 0) return pass;
+  std::string names;
+  for (const Pass& p : project.passes) names += (names.empty() ? "" : ", ") + p.name;
+  throw Error(ExitStatus::usage, "--pass " + name + ": the passes are " + names);
 }
 
 class View {
@@ -50,23 +51,28 @@ class View {
         window_(stem_of(options.shader), options.size),
         overlay_(window_),
         presenter_(window_.context()),
-        shader_(options.shader),
-        clock_(options.clock, Dialect::vscode) {
-    Loaded first = load(options.shader);
-    reloader_.emplace([this](const fs::path& shader) { return load(shader); }, options.shader, first.project);
-    clock_ = LiveClock(options.clock, first.project.dialect);
-    put_on(std::move(first));
-    if (!options.pass.empty()) show(find_pass(project_, options.pass));
+        playing_(options.shader, load(options.shader)),
+        clock_(options.clock, playing_.project().dialect),
+        capture_(options.output.empty() ? stem_of(options.shader) : options.output),
+        reloader_([this](const fs::path& shader) { return load(shader); }, options.shader,
+                  playing_.project()) {
+    if (!options.pass.empty()) playing_.show(pass_called(playing_.project(), options.pass));
+    name_window();
   }
 
   void run() {
+    draw();  // what is pressed meanwhile finds a picture
     while (!window_.should_close()) {
       window_.wait(rest());
       for (const Event& event : window_.take_events()) handle(event);
-      if (auto result = reloader_->take()) take(std::move(*result));
+      if (auto result = reloader_.take()) take(std::move(*result));
+      if (!notice_.empty() && Clock::now() >= notice_until_) {
+        notice_.clear();
+        settling_ = 1;
+      }
       const glm::ivec2 pixels = window_.pixels();
       if (pixels.x <= 0 || pixels.y <= 0 || Clock::now() < next_) continue;
-      const bool drew = draw(pixels);
+      const bool drew = draw();
       if (!drew && settling_ == 0) continue;
       if (settling_ > 0) --settling_;
       present(pixels);
@@ -94,53 +100,23 @@ class View {
     }
     problem_.clear();
     reloading_since_ = result.since;
-    const bool same = result.shader == shader_;
-    const std::string shown = same ? project_.passes[static_cast<std::size_t>(pass_)].name : "";
-    shader_ = result.shader;
-    if (!same) edited_.clear();
-    const Dialect before = project_.dialect;
+    halted_at_.reset();
+    samples_start_.reset();
+    const bool same =
+        result.shader == playing_.shader() && result.loaded->project.dialect == playing_.project().dialect;
     try {
-      if (same && result.loaded->project.dialect == Dialect::shadertoy && stage_->ready())
-        result.loaded->stage->continue_from(*stage_);
+      playing_.replace(result.shader, std::move(*result.loaded));
     } catch (const Error& e) {
       problem_ = e.what();
     }
-    put_on(std::move(*result.loaded));
-    if (const int pass = find_pass(project_, shown); pass >= 0) show(pass);
-    if (same && project_.dialect == before)
+    if (same)
       clock_.restart_frames();
     else
-      clock_.set_dialect(project_.dialect);
-    samples_start_.reset();
+      clock_.set_dialect(playing_.project().dialect);
+    name_window();
   }
 
-  void put_on(Loaded loaded) {
-    project_ = std::move(loaded.project);
-    stage_ = std::move(loaded.stage);
-    values_.clear();
-    for (const CustomUniform& uniform : project_.uniforms) {
-      const auto edit = edited_.find(uniform.name);
-      values_.push_back(edit != edited_.end() && edit->second.first == uniform.type ? edit->second.second
-                                                                                    : uniform.value);
-    }
-    const auto history = passes_with_history(project_);
-    accumulates_ = false;
-    for (std::size_t i = 0; i < history.size(); ++i)
-      for (const Pass& reader : project_.passes)
-        for (const Input& input : reader.inputs)
-          accumulates_ = accumulates_ || (input.kind == InputKind::pass && history[i] &&
-                                          static_cast<std::size_t>(input.pass) == i);
-    halted_at_.reset();
-    show(static_cast<int>(project_.passes.size()) - 1);
-  }
-
-  void show(int pass) {
-    if (pass < 0) return;
-    pass_ = pass;
-    stage_->show(pass);
-    window_.set_title(stem_of(shader_) + " - " + project_.passes[static_cast<std::size_t>(pass)].name);
-    settling_ = settling_frames;
-  }
+  void name_window() { window_.set_title(stem_of(playing_.shader()) + " - " + playing_.shown().name); }
 
   // What a hand does.
 
@@ -151,11 +127,11 @@ class View {
         if (const auto action = action_for(event.code, event.modifiers))
           perform(*action);
         else if (const auto code = browser_code(event.code); code.has_value() && !overlay_.wants_keys())
-          input([&] { clock_.keyboard().press(*code); });
+          input(playing_.hears_keyboard(), [&] { clock_.keyboard().press(*code); });
         break;
       case Event::Kind::key_up:
         if (const auto code = browser_code(event.code); code.has_value() && clock_.keyboard().held(*code))
-          input([&] { clock_.keyboard().release(*code); });
+          input(playing_.hears_keyboard(), [&] { clock_.keyboard().release(*code); });
         break;
       case Event::Kind::button_down:
         if (overlay_.wants_mouse(event.position)) break;
@@ -164,29 +140,32 @@ class View {
           break;
         }
         set_button(event.code, true);
-        input([&] { clock_.mouse().press(to_picture(event.position), drawn_size()); });
+        input(playing_.hears_mouse(),
+              [&] { clock_.mouse().press(to_picture(event.position), drawn_size()); });
         break;
       case Event::Kind::button_up:
         set_button(event.code, false);
-        if (clock_.mouse().down()) input([&] { clock_.mouse().release(); });
+        if (clock_.mouse().down()) input(playing_.hears_mouse(), [&] { clock_.mouse().release(); });
         break;
       case Event::Kind::move:
         cursor_ = event.position;
         if (clock_.mouse().down())
-          input([&] { clock_.mouse().move(to_picture(event.position), drawn_size()); });
+          input(playing_.hears_mouse(),
+                [&] { clock_.mouse().move(to_picture(event.position), drawn_size()); });
         break;
       case Event::Kind::drop:
-        reloader_->open(event.file);
+        reloader_.open(event.file);
         break;
       case Event::Kind::other:
         break;
     }
   }
 
-  // Something that the shader can see: a paused picture follows it, an accumulating one starts over.
+  // What the shader hears a paused picture follows, and an accumulating one starts over.
   template <typename Change>
-  void input(Change change) {
+  void input(bool heard, Change change) {
     change();
+    if (!heard) return;
     samples_start_.reset();
     if (clock_.paused()) clock_.force();
   }
@@ -210,7 +189,6 @@ class View {
   }
 
   void perform(Action action) {
-    const int count = static_cast<int>(project_.passes.size());
     switch (action) {
       case Action::help:
         help_ = !help_;
@@ -225,7 +203,7 @@ class View {
         paint_ = !paint_;
         break;
       case Action::uniforms:
-        uniforms_ = !uniforms_;
+        sliders_ = !sliders_;
         break;
       case Action::reset:
         clock_.reset();
@@ -238,13 +216,10 @@ class View {
         clock_.step();
         break;
       case Action::previous_pass:
-      case Action::next_pass: {
-        int pass = pass_;
-        do pass = (pass + (action == Action::next_pass ? 1 : count - 1)) % count;
-        while (project_.passes[static_cast<std::size_t>(pass)].kind == PassKind::sound);
-        show(pass);
+      case Action::next_pass:
+        playing_.show_neighbour(action == Action::next_pass ? 1 : -1);
+        name_window();
         break;
-      }
       case Action::scale:
         scale_ = (scale_ + 1) % scales.size();
         break;
@@ -279,56 +254,38 @@ class View {
                                        std::chrono::duration<double>(notice_seconds));
   }
 
-  // OUTPUT_0001, or the first number under which there is nothing yet.
-  std::string free_name(const std::string& middle) const {
-    const std::string base = (options_.output.empty() ? stem_of(shader_) : options_.output) + middle;
-    for (int i = 1;; ++i) {
-      char number[16];
-      std::snprintf(number, sizeof number, "_%04d", i);
-      const std::string name = base + number;
-      if (!fs::exists(name) && !fs::exists(name + ".png") && !fs::exists(name + ".exr")) return name;
-    }
-  }
-
   void screenshot() {
     if (!frame_.has_value()) return;
-    const Image image = stage_->read(pass_);
-    const std::string name = free_name("");
-    write_image(image, name + ".png");
-    write_image(image, name + ".exr");
+    const std::string name = capture_.screenshot(playing_.stage().read(playing_.pass()));
     notice(name + ".png and .exr: frame " + std::to_string(frame_->index));
   }
 
   void toggle_recording() {
-    if (recorder_.has_value()) {
-      const std::string text =
-          recorder_->folder().string() + ": " + std::to_string(recorder_->frames()) + " frames";
-      recorder_.reset();
+    if (!capture_.recording()) {
+      capture_.start();
+      clock_.set_recording(options_.recording_rate);
+    } else {
       clock_.set_recording(std::nullopt);
-      notice(text);
-      return;
+      notice(capture_.stop());
     }
-    recorder_.emplace(free_name("_recording"));
-    clock_.set_recording(options_.recording_rate);
   }
 
   void print_commands(glm::dvec2 position) {
     if (!frame_.has_value()) return;
-    const Picture picture = stage_->picture(pass_);
+    const Picture picture = playing_.stage().picture(playing_.pass());
     if (picture.texture == 0) return;
-    const std::string pass = pass_ + 1 == static_cast<int>(project_.passes.size())
-                                 ? ""
-                                 : project_.passes[static_cast<std::size_t>(pass_)].name;
-    const FrameCommand command{shader_.string(), all_options(), options_.clock.rate.value_or(0.0),
+    const std::string pass = playing_.shows_last() ? "" : playing_.shown().name;
+    const FrameCommand command{playing_.shader().string(), all_options(), options_.clock.rate.value_or(0.0),
                                options_.clock.t0};
     std::fputs(commands_for_pixel(command, *frame_, pass, place_in(picture, across(position)).at).c_str(),
                stdout);
     std::fflush(stdout);
   }
 
-  std::string all_options() const {
+  std::string all_options() {
     std::string text = options_.options_text;
-    if (!edited_.empty()) text += (text.empty() ? "" : " ") + uniforms_as_options(project_.uniforms, values_);
+    const std::string edits = playing_.uniforms().edits_as_options();
+    if (!edits.empty()) text += (text.empty() ? "" : " ") + edits;
     return text;
   }
 
@@ -342,20 +299,21 @@ class View {
 
   // Seconds until there is something to do; negative: until something happens.
   double rest() const {
-    const bool due = settling_ > 0 || notice_shown() || (clock_.due() && !halted_at_.has_value());
-    if (!due) return -1.0;
+    const auto until = [](Clock::time_point time) {
+      return std::max(0.0, std::chrono::duration<double>(time - Clock::now()).count());
+    };
+    const bool due = settling_ > 0 || (clock_.due() && !halted_at_.has_value());
+    if (!due) return notice_.empty() ? -1.0 : until(notice_until_);
     // A player in a thread of its own ends the wait when it is done.
     if (settling_ == 0 && waiting_) return 0.1;
-    return std::max(0.0, std::chrono::duration<double>(next_ - Clock::now()).count());
+    return until(next_);
   }
 
-  bool notice_shown() const { return !notice_.empty(); }
-
   // Draws a frame if one is due and the last one is done. True if there is a new picture.
-  bool draw(glm::ivec2 pixels) {
+  bool draw() {
     const bool was_waiting = waiting_;
     try {
-      waiting_ = !stage_->ready();
+      waiting_ = !playing_.stage().ready();
       if (waiting_) return false;
       if (was_waiting) record();
       const glm::ivec2 size = drawn_size();
@@ -366,15 +324,15 @@ class View {
       halted_at_.reset();
       pixels_ = size;
       Frame frame = clock_.next(Moment::now(), size);
-      frame.uniforms = values_;
+      frame.uniforms = playing_.uniforms().values();
       frame_ = frame;
       if (!samples_start_.has_value() || frame.index == 0) {
         samples_start_ = Clock::now();
         samples_ = 0;
       }
       ++samples_;
-      stage_->draw(frame);
-      waiting_ = !stage_->ready();
+      playing_.stage().draw(frame);
+      waiting_ = !playing_.stage().ready();
       if (!waiting_) record();
       return !waiting_ || was_waiting;
     } catch (const Error& e) {
@@ -384,17 +342,16 @@ class View {
       settling_ = settling_frames;
       return false;
     }
-    (void)pixels;
   }
 
   void record() {
-    if (recorder_.has_value()) attempt([this] { recorder_->add(stage_->read(pass_)); });
+    if (capture_.recording()) attempt([this] { capture_.add(playing_.stage().read(playing_.pass())); });
   }
 
   void present(glm::ivec2 pixels) {
     const auto start = Clock::now();
     window_.context().make_current();
-    const Picture picture = stage_->picture(pass_);
+    const Picture picture = playing_.stage().picture(playing_.pass());
     if (picture.texture != 0 && !halted_at_.has_value())
       presenter_.draw(picture, pixels, paint_);
     else
@@ -402,12 +359,12 @@ class View {
     overlay_.begin();
     panels();
     overlay_.end();
-    stage_->shown();
+    playing_.stage().shown();
     window_.swap();
     if (reloading_since_.has_value() && !waiting_) {
       const double ms = std::chrono::duration<double, std::milli>(Clock::now() - *reloading_since_).count();
       reloading_since_.reset();
-      notice(stem_of(shader_) + ": reloaded in " + std::to_string(std::lround(ms)) + " ms");
+      notice(stem_of(playing_.shader()) + ": reloaded in " + std::to_string(std::lround(ms)) + " ms");
     }
     // Where the display does not hold the swap back (off screen, say), frames must not come faster than it
     // shows them.
@@ -417,67 +374,62 @@ class View {
   }
 
   void panels() {
-    if (Clock::now() > notice_until_) notice_.clear();
     if (hud_) draw_hud(hud_values());
     if (!notice_.empty()) draw_notice(notice_);
     if (!problem_.empty()) draw_problem(problem_);
     if (inspector_) draw_inspector(inspected(), inspector_, paint_);
-    if (uniforms_ && !project_.uniforms.empty()) edit_uniforms();
+    if (sliders_ && !playing_.project().uniforms.empty()) edit_uniforms();
     if (help_) draw_help(help_);
   }
 
   HudValues hud_values() {
     HudValues v;
     v.frames_per_second = clock_.frame_rate();
-    const auto times = stage_->milliseconds();
-    if (times.size() == project_.passes.size())
-      for (std::size_t i = 0; i < times.size(); ++i) v.passes.push_back({project_.passes[i].name, times[i]});
+    const auto times = playing_.stage().milliseconds();
+    if (times.size() == playing_.project().passes.size())
+      for (std::size_t i = 0; i < times.size(); ++i)
+        v.passes.push_back({playing_.project().passes[i].name, times[i]});
     else if (times.size() == 1)
       v.passes.push_back({"all passes", times[0]});
     v.size = pixels_;
     v.scale = scales[scale_].name;
-    v.shown = project_.passes[static_cast<std::size_t>(pass_)].name;
+    v.shown = playing_.shown().name;
     v.frame = clock_.index();
     v.time = clock_.time();
-    if (accumulates_ && samples_start_.has_value()) {
+    if (playing_.accumulates() && samples_start_.has_value()) {
       v.samples = samples_;
       v.sample_seconds = std::chrono::duration<double>(Clock::now() - *samples_start_).count();
     }
-    v.device = stage_->description();
+    v.device = playing_.stage().description();
     v.paused = clock_.paused();
-    v.recorded = recorder_.has_value() ? recorder_->frames() : -1;
+    v.recorded = capture_.recorded();
     return v;
   }
 
   InspectorValues inspected() {
     InspectorValues v;
-    for (std::size_t i = 0; i < project_.passes.size(); ++i) {
-      const Picture picture = stage_->picture(static_cast<int>(i));
+    for (std::size_t i = 0; i < playing_.project().passes.size(); ++i) {
+      const Picture picture = playing_.stage().picture(static_cast<int>(i));
       if (picture.texture == 0) continue;
       const PixelPlace place = place_in(picture, across(cursor_));
-      if (static_cast<int>(i) == pass_) {
+      if (static_cast<int>(i) == playing_.pass()) {
         v.pixel = place.at;
         v.face = picture.target == GL_TEXTURE_CUBE_MAP ? place.face : -1;
       }
-      v.passes.push_back({project_.passes[i].name, presenter_.pixel(picture, place)});
+      v.passes.push_back({playing_.project().passes[i].name, presenter_.pixel(picture, place)});
     }
     return v;
   }
 
   void edit_uniforms() {
-    const auto before = values_;
-    const UniformEdits edits = draw_uniforms(project_.uniforms, values_, uniforms_);
-    if (edits.changed)
-      for (std::size_t i = 0; i < values_.size(); ++i)
-        if (values_[i] != before[i])
-          edited_[project_.uniforms[i].name] = {project_.uniforms[i].type, values_[i]};
-    if (edits.reset) {
-      edited_.clear();
-      for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = project_.uniforms[i].value;
-    }
-    if (edits.changed || edits.reset) input([] {});
+    auto values = playing_.uniforms().values();
+    const UniformEdits edits = draw_uniforms(playing_.uniforms().declared(), values, sliders_);
+    if (edits.changed) playing_.uniforms().set(values);
+    if (edits.reset) playing_.uniforms().reset();
+    if (edits.changed || edits.reset) input(true, [] {});
     if (edits.copy) {
-      const std::string text = uniforms_as_options(project_.uniforms, values_);
+      const std::string text =
+          uniforms_as_options(playing_.uniforms().declared(), playing_.uniforms().values());
       window_.set_clipboard(text);
       notice("copied: " + text);
     }
@@ -487,21 +439,16 @@ class View {
   Window window_;  // before everything that lives in its contexts
   Overlay overlay_;
   Presenter presenter_;
-  fs::path shader_;
-  Project project_;
-  std::unique_ptr<Stage> stage_;
+  Playing playing_;
   LiveClock clock_;
-  int pass_ = 0;
   std::size_t scale_ = 0;
   glm::ivec2 pixels_{0};                 // of the last frame
   std::optional<Frame> frame_;           // the last one
   bool waiting_ = false;                 // for a player in its own thread
   std::optional<glm::ivec2> halted_at_;  // drawing failed at this size
 
-  std::vector<UniformValue> values_;  // of the project's uniforms
-  std::map<std::string, std::pair<UniformType, UniformValue>> edited_;
+  Capture capture_;
 
-  bool accumulates_ = false;
   int samples_ = 0;
   std::optional<Clock::time_point> samples_start_;
 
@@ -511,17 +458,16 @@ class View {
   bool help_ = false;
   bool hud_ = true;
   bool inspector_ = false;
-  bool uniforms_ = true;
+  bool sliders_ = true;
   bool paint_ = false;
   std::string problem_;
   std::string notice_;
   Clock::time_point notice_until_;
-  std::optional<Recorder> recorder_;
 
   int settling_ = settling_frames;  // frames to show although nothing moves
   Clock::time_point next_;          // when the next may be shown
   std::optional<Clock::time_point> reloading_since_;
-  std::optional<Reloader> reloader_;  // last: its thread uses the window
+  Reloader reloader_;  // last: its thread uses the window
 };
 
 }  // namespace
