@@ -6,6 +6,7 @@
 #include "host/base/error.h"
 #include "host/base/output_file.h"
 #include "host/export/export.h"
+#include "host/project/write_json.h"
 
 namespace shadertwin::app {
 
@@ -23,6 +24,11 @@ std::string title_of(const std::filesystem::path& shader) {
   return (whole.stem() == "image" ? whole.parent_path() : whole).stem().string();
 }
 
+Project titled(Project project, const std::filesystem::path& shader) {
+  if (project.title.empty()) project.title = title_of(shader);
+  return project;
+}
+
 void write_text(const std::string& file, const std::string& text) {
   OutputFile output(file);
   std::ofstream stream(output.path(), std::ios::binary);
@@ -34,7 +40,12 @@ void write_text(const std::string& file, const std::string& text) {
 
 void export_project(const ExportOptions& options) {
   const Project project = load(options);
-  write_text(options.output, html_player(project, title_of(options.shader)));
+  if (options.to == "html")
+    write_text(options.output, html_player(project, title_of(options.shader)));
+  else if (options.to == "json")
+    write_text(options.output, write_json(titled(for_site(project), options.shader)));
+  else
+    write_tabs(for_site(project), options.output);
 }
 
 }  // namespace
@@ -44,12 +55,14 @@ void add_export(CLI::App& app) {
   const auto options = std::make_shared<ExportOptions>();
   add_load_options(*command, *options);
   command
-      ->add_option("--to", options->to,
-                   "html: a page that plays it in any browser, with everything inside; "
-                   "#paused, #time=SECONDS, #size=WxH or #bare behind its address set it up")
+      ->add_option(
+          "--to", options->to,
+          "html: a page that plays it in any browser, with everything inside (#paused, #time=SECONDS, "
+          "#size=WxH or #bare behind its address set it up); tabs: a folder with a text a tab to paste "
+          "into shadertoy.com, and BINDINGS.txt; json: as Shadertoy's API gives a shader")
       ->required()
-      ->check(CLI::IsMember({"html"}));
-  command->add_option("-o,--output", options->output, "the file to write")->required();
+      ->check(CLI::IsMember({"html", "tabs", "json"}));
+  command->add_option("-o,--output", options->output, "the file to write; for tabs a new folder")->required();
   command->callback([options] { export_project(*options); });
 }
 

@@ -14,4 +14,16 @@ namespace shadertwin {
 // input that can't be read.
 std::string html_player(const Project& project, const std::string& title);
 
+// The project as shadertoy.com takes it. What only the VS Code extension or the command line gives is put
+// into the text: SHADER_TOY, knobs (-D), older names, key functions on a free channel. Throws Error(shader)
+// where there is no channel left for the keyboard.
+Project for_site(const Project& project);
+
+// Makes `folder` with a text file for each tab, as it is pasted into shadertoy.com, the pictures and sounds
+// that they read, BINDINGS.txt, which says to people what to bind to which channel, and shadertoy.json, which
+// says it to load_project: the folder plays here as the project does. `project`: from for_site. The folder
+// appears whole or not at all. Throws Error(file) if it is there already, or can't be written; Error(shader)
+// for what shadertoy.com does not have.
+void write_tabs(const Project& project, const std::filesystem::path& folder);
+
 }  // namespace shadertwin

@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <utility>
+
+#include "host/base/error.h"
+#include "host/export/export.h"
+#include "host/project/keyboard_text.h"
+#include "host/project/tokens.h"
+
+namespace shadertwin {
+
+namespace {
+
+// What the extension knows and the site does not. Defined only for shaders that use it.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 14> extension_names = {{
+    {"iGlobalTime", "iTime"},
+    {"iGlobalFrame", "iFrame"},
+    {"iMouseButton", "vec4(float(iMouse.z > 0.0), 0.0, 0.0, 0.0)"},
+    {"iViewMatrix", "mat4(1.0)"},
+    {"texture2D", "texture"},
+    {"textureCube", "texture"},
+    {"texture2DProj", "textureProj"},
+    {"texture2DLodEXT", "textureLod"},
+    {"texture2DProjLodEXT", "textureProjLod"},
+    {"textureCubeLodEXT", "textureLod"},
+    {"texture2DGradEXT", "textureGrad"},
+    {"texture2DProjGradEXT", "textureProjGrad"},
+    {"textureCubeGradEXT", "textureGrad"},
+    {"saturate", "clamp(a, 0.0, 1.0)"},
+}};
+
+constexpr std::array<std::pair<std::string_view, const char*>, 4> key_functions = {
+    {{"isKeyDown", "texelFetch(iKeyboard, ivec2(key, 0), 0).x > 0.0"},
+     {"isKeyPressed", "texelFetch(iKeyboard, ivec2(key, 1), 0).x > 0.0"},
+     {"isKeyToggled", "texelFetch(iKeyboard, ivec2(key, 2), 0).x > 0.0"},
+     {"isKeyReleased", "false"}}};  // the site's keyboard does not tell
+
+// The knobs of the command line stand in front of every pass, as lines of no file.
+std::string knobs(const Project& project) {
+  const PassSource& source = project.passes.back().source;
+  std::istringstream body(source.body);
+  std::string text;
+  std::string line;
+  for (std::size_t i = 0; i < source.lines.size() && source.lines[i].file < 0 && std::getline(body, line);
+       ++i)
+    text += line + '\n';
+  return text;
+}
+
+bool uses(const Project& project, std::string_view name) {
+  bool used = false;
+  for (const Pass& pass : project.passes) {
+    const auto tokens = tokenize(pass.code);
+    if (declares(tokens, name)) return false;
+    used = used || mentions(tokens, name);
+  }
+  return used;
+}
+
+std::string names(const Project& project) {
+  std::string text = "#define SHADER_TOY\n";
+  for (const auto& [name, meaning] : extension_names) {
+    if (!uses(project, name)) continue;
+    text.append("#define ").append(name).append(name == "saturate" ? "(a) " : " ").append(meaning) += '\n';
+  }
+  return text;
+}
+
+// Binds the keyboard to the last free channel.
+void add_keyboard(Pass& pass) {
+  const auto tokens = tokenize(pass.code);
+  const bool wanted = mentions(tokens, "iKeyboard") ||
+                      std::any_of(key_functions.begin(), key_functions.end(),
+                                  [&](const auto& function) { return mentions(tokens, function.first); });
+  if (!wanted) return;
+  const auto last = pass.inputs.rend() - 4;
+  const auto free =
+      std::find_if(last, pass.inputs.rend(), [](const Input& i) { return i.kind == InputKind::none; });
+  if (free == pass.inputs.rend())
+    throw Error(ExitStatus::shader, pass.name + ": error: no channel is free for the keyboard");
+  free->kind = InputKind::keyboard;
+  free->sampler = {MinFilter::nearest, MagFilter::nearest, Wrap::clamp, false};
+
+  std::string text = "#define iKeyboard iChannel" + std::to_string(pass.inputs.rend() - free - 1) + '\n';
+  std::istringstream keys(keyboard_text());
+  for (std::string line; std::getline(keys, line);) {
+    const std::size_t begin = line.find("Key_");
+    if (line.starts_with("const") && mentions(tokens, line.substr(begin, line.find(' ', begin) - begin)))
+      text += line + '\n';
+  }
+  for (const auto& [name, test] : key_functions)
+    if (mentions(tokens, name)) text += "bool " + std::string(name) + "(int key) { return " + test + "; }\n";
+  pass.code = text + pass.code;
+}
+
+}  // namespace
+
+Project for_site(const Project& project) {
+  std::string prelude = knobs(project);
+  if (project.dialect == Dialect::vscode) prelude += names(project);
+  if (prelude.empty()) return project;
+  Project result = project;
+  result.json.clear();  // the document that it came from lacks the knobs
+  result.common = prelude + project.common;
+  if (project.dialect == Dialect::vscode)
+    for (Pass& pass : result.passes) add_keyboard(pass);
+  return result;
+}
+
+}  // namespace shadertwin

@@ -1,0 +1,222 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "host/base/error.h"
+#include "host/export/export.h"
+#include "host/project/write_json.h"
+
+namespace shadertwin {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A folder that appears under its name only when it is complete.
+class OutputFolder {
+ public:
+  explicit OutputFolder(const fs::path& target) : target_(fs::absolute(target / "").parent_path()) {
+    std::error_code problem;
+    if (fs::exists(target_, problem) &&
+        !(fs::is_directory(target_, problem) && fs::is_empty(target_, problem)))
+      throw Error(ExitStatus::file, target.string() + ": error: is there already");
+    temporary_ = target_.parent_path() /
+                 ("." + target_.filename().string().substr(0, 200) + "." + std::to_string(getpid()));
+    fs::create_directory(temporary_, problem);
+    if (problem) throw Error(ExitStatus::file, target.string() + ": error: " + problem.message());
+  }
+  ~OutputFolder() {
+    std::error_code ignored;
+    if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
+  }
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream stream(temporary_ / name, std::ios::binary);
+    stream << text;
+    stream.close();
+    if (!stream) throw Error(ExitStatus::file, (target_ / name).string() + ": error: can't be written");
+  }
+
+  void copy(const fs::path& file, const std::string& name) const {
+    std::error_code problem;
+    fs::copy_file(file, temporary_ / name, problem);
+    if (problem) throw Error(ExitStatus::file, file.string() + ": error: " + problem.message());
+  }
+
+  void commit() {
+    std::error_code problem;
+    fs::rename(temporary_, target_, problem);
+    if (problem) throw Error(ExitStatus::file, target_.string() + ": error: " + problem.message());
+    temporary_.clear();
+  }
+
+ private:
+  fs::path target_;
+  fs::path temporary_;
+};
+
+// "Buffer A" -> buffer_a.glsl
+std::string file_name(std::string tab) {
+  for (char& c : tab) c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return tab + ".glsl";
+}
+
+const char* filter_name(const Sampler& sampler) {
+  if (sampler.mag == MagFilter::nearest && sampler.min == MinFilter::nearest) return "nearest";
+  return sampler.min == MinFilter::nearest || sampler.min == MinFilter::linear ? "linear" : "mipmap";
+}
+
+const char* wrap_name(Wrap wrap) {
+  if (wrap == Wrap::mirror) return "mirror";
+  return wrap == Wrap::clamp ? "clamp" : "repeat";
+}
+
+class TabsWriter {
+ public:
+  TabsWriter(const Project& project, const fs::path& folder) : project_(project), output_(folder) {
+    project_.json.clear();  // tabs in our order, not in that of the document
+  }
+
+  void write() {
+    const Json document = Json::parse(write_json(project_));
+    for (const Json& tab : document.at("Shader").at("renderpass")) {
+      const std::string type = tab.at("type");
+      names_.push_back(type == "common" ? "Common" : tab_name(tab, type));
+      output_.write(file_name(names_.back()), tab.at("code"));
+    }
+    for (const Pass& pass : project_.passes) bind(pass);
+    output_.write("shadertoy.json", settings_.dump(2) + "\n");
+    output_.write("BINDINGS.txt", note_);
+    output_.commit();
+  }
+
+ private:
+  static std::string tab_name(const Json& tab, const std::string& type) {
+    if (type == "image") return "Image";
+    if (type == "sound") return "Sound";
+    if (type == "cubemap") return "Cubemap A";
+    return tab.at("name");
+  }
+
+  // What write_json called the pass. After the image and Common the others stand there in our order.
+  std::string name_of(const Pass& pass) const {
+    const auto index = static_cast<std::size_t>(&pass - project_.passes.data());
+    if (index + 1 == project_.passes.size()) return "Image";
+    std::vector<std::string> others;
+    for (const std::string& name : names_)
+      if (name != "Image" && name != "Common") others.push_back(name);
+    return others.at(index);
+  }
+
+  // The medium's name in the folder; two files of one name get different ones.
+  std::string add_file(const fs::path& file) {
+    const auto known = files_.find(file);
+    if (known != files_.end()) return known->second;
+    std::string name = file.filename().string();
+    const auto taken = [&] {
+      return std::any_of(files_.begin(), files_.end(),
+                         [&](const auto& entry) { return entry.second == name; });
+    };
+    for (int i = 2; taken(); ++i)
+      name = file.stem().string() + "_" + std::to_string(i) + file.extension().string();
+    output_.copy(file, name);
+    files_.emplace(file, name);
+    return name;
+  }
+
+  void bind(const Pass& pass) {
+    const std::string name = name_of(pass);
+    std::string lines;
+    for (std::size_t i = 0; i < pass.inputs.size(); ++i) {
+      const Input& input = pass.inputs[i];
+      if (input.kind == InputKind::none) continue;
+      const std::string channel = "iChannel" + std::to_string(i);
+      Json& settings = settings_[name][channel];
+      const std::string what = describe(input, settings);
+      const bool sampled = input.kind != InputKind::keyboard && input.kind != InputKind::music &&
+                           input.kind != InputKind::microphone;
+      if (sampled) {
+        settings["filter"] = filter_name(input.sampler);
+        settings["wrap"] = wrap_name(input.sampler.wrap);
+        if (input.kind != InputKind::pass) settings["vflip"] = input.sampler.vflip;
+      }
+      lines += "  " + channel + "  " + what;
+      if (sampled)
+        lines += std::string("; filter ") + filter_name(input.sampler) + ", wrap " +
+                 wrap_name(input.sampler.wrap) +
+                 (input.kind == InputKind::pass ? ""
+                  : input.sampler.vflip         ? ", vflip on"
+                                                : ", vflip off");
+      lines += '\n';
+    }
+    if (!lines.empty()) note_ += '\n' + name + '\n' + lines;
+  }
+
+  std::string describe(const Input& input, Json& settings) {
+    switch (input.kind) {
+      case InputKind::pass:
+        settings["buffer"] = name_of(project_.passes[static_cast<std::size_t>(input.pass)]);
+        return settings["buffer"];
+      case InputKind::cubemap: {
+        std::string list;
+        for (const fs::path& face : input.files) {
+          settings["cubemap"].push_back(add_file(face));
+          list += (list.empty() ? "" : ", ") + add_file(face);
+        }
+        return "cubemap " + list;
+      }
+      case InputKind::texture:
+        return file_input("texture", input, settings);
+      case InputKind::volume:
+        return file_input("volume", input, settings);
+      case InputKind::music:
+        return file_input("music", input, settings);
+      case InputKind::video:
+        return file_input("video", input, settings);
+      case InputKind::keyboard:
+        settings["keyboard"] = true;
+        return "keyboard";
+      case InputKind::webcam:
+        settings["webcam"] = true;
+        return "webcam";
+      case InputKind::microphone:
+        settings["microphone"] = true;
+        return "microphone";
+      case InputKind::none:
+        break;
+    }
+    return "";
+  }
+
+  std::string file_input(const std::string& kind, const Input& input, Json& settings) {
+    settings[kind] = add_file(input.files.front());
+    return kind + " " + settings[kind].get<std::string>();
+  }
+
+  Project project_;
+  OutputFolder output_;
+  std::vector<std::string> names_;  // of the tabs
+  std::map<fs::path, std::string> files_;
+  Json settings_ = Json::object();
+  std::string note_ =
+      "What to bind to which channel on shadertoy.com, tab by tab; make the tabs in this order of buffers.\n"
+      "The site offers its own pictures, sounds and videos only: choose what comes near, or play the folder "
+      "with\n"
+      "shadertwin, which reads the same from shadertoy.json.\n";
+};
+
+}  // namespace
+
+void write_tabs(const Project& project, const fs::path& folder) {
+  TabsWriter(project, folder).write();
+}
+
+}  // namespace shadertwin

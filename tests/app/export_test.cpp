@@ -1,0 +1,99 @@
+// Shaders that leave in another form and come back.
+#include <gtest/gtest.h>
+
+#include "tests/app/command_line.h"
+
+namespace shadertwin {
+namespace {
+
+// Two passes, knobs, an include, the extension's own names and a key.
+void write_shader(const ScratchFolder& folder) {
+  folder.write("image.glsl",
+               "#iChannel2 \"state.glsl\"\n"
+               "#include \"colors.glsl\"\n"
+               "void mainImage(out vec4 c, in vec2 p) {\n"
+               "  c = vec4(texelFetch(iChannel2, ivec2(p), 0).xyz * tint, 1.0);\n"
+               "}\n");
+  folder.write("colors.glsl", "const vec3 tint = vec3(1.0, LEVEL, saturate(2.0));\n");
+  folder.write("state.glsl",
+               "#iChannel0 \"self\"\n"
+               "#iKeyboard\n"
+               "#iUniform float speed = 0.25 in { 0.0, 1.0 }\n"
+               "#ifdef SHADER_TOY\n"
+               "void mainImage(out vec4 c, in vec2 p) {\n"
+               "  vec4 last = texelFetch(iChannel0, ivec2(p), 0);\n"
+               "  c = last + vec4(speed, p.x / iResolution.x, isKeyDown(Key_A) ? 0.5 : 0.125, 1.0);\n"
+               "}\n"
+               "#endif\n");
+}
+
+std::string rendered(const ScratchFolder& folder, const std::string& shader) {
+  const Outcome outcome = run(folder, "render " + shader + " --size 8x4 --frames 3 --keys a@1 -o frame.exr");
+  EXPECT_EQ(outcome.status, 0) << shader << ": " << outcome.err;
+  return contents(folder / "frame.exr");
+}
+
+TEST(Export, TabsPlayAsTheProjectDoes) {
+  const ScratchFolder folder;
+  write_shader(folder);
+  const Outcome outcome = run(folder, "export image.glsl -D LEVEL=0.5 --to tabs -o tabs");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* name : {"image.glsl", "buffer_a.glsl", "common.glsl", "shadertoy.json", "BINDINGS.txt"})
+    EXPECT_TRUE(std::filesystem::exists(folder / "tabs" / name)) << name;
+  EXPECT_EQ(rendered(folder, "tabs"), rendered(folder, "image.glsl -D LEVEL=0.5"));
+}
+
+TEST(Export, JsonPlaysAsTheProjectDoes) {
+  const ScratchFolder folder;
+  write_shader(folder);
+  const Outcome outcome = run(folder, "export image.glsl -D LEVEL=0.5 --to json -o toy.json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(rendered(folder, "toy.json"), rendered(folder, "image.glsl -D LEVEL=0.5"));
+}
+
+TEST(Export, TabsAreTextsWithoutDirectives) {
+  const ScratchFolder folder;
+  write_shader(folder);
+  ASSERT_EQ(run(folder, "export image.glsl -D LEVEL=0.5 --to tabs -o tabs").status, 0);
+  for (const char* name : {"image.glsl", "buffer_a.glsl", "common.glsl"}) {
+    const std::string text = contents(folder / "tabs" / name);
+    for (const char* directive : {"#iChannel", "#include", "#iUniform", "#iKeyboard"})
+      EXPECT_EQ(text.find(directive), std::string::npos) << name << ": " << text;
+  }
+}
+
+TEST(Export, NoShaderCanEndThePagesScript) {
+  const ScratchFolder folder;
+  folder.write("image.glsl", "// </script><b>\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }\n");
+  const Outcome outcome = run(folder, "export image.glsl --to html -o page.html");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(contents(folder / "page.html").find("</script><b>"), std::string::npos);
+}
+
+TEST(Export, AFolderThatIsThereStaysAsItIs) {
+  const ScratchFolder folder;
+  write_shader(folder);
+  folder.write("tabs/mine.txt", "mine");
+  const Outcome outcome = run(folder, "export image.glsl -D LEVEL=0.5 --to tabs -o tabs");
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_EQ(outcome.error_lines(), 1) << outcome.err;
+  EXPECT_EQ(contents(folder / "tabs" / "mine.txt"), "mine");
+}
+
+TEST(Export, WhatTheSiteLacksIsSaidInOneLineAndLeavesNothing) {
+  const ScratchFolder folder;
+  folder.write(
+      "five.glsl",
+      "#iChannel7 \"other.glsl\"\nvoid mainImage(out vec4 c, in vec2 p) { c = texture(iChannel7, p); }\n");
+  folder.write("other.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }\n");
+  for (const char* form : {"tabs -o tabs", "json -o toy.json"}) {
+    const Outcome outcome = run(folder, std::string("export five.glsl --to ") + form);
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_EQ(outcome.error_lines(), 1) << outcome.err;
+  }
+  const auto files = std::filesystem::directory_iterator(folder.path());
+  EXPECT_EQ(std::distance(begin(files), end(files)), 2);
+}
+
+}  // namespace
+}  // namespace shadertwin
