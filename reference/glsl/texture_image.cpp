@@ -1,11 +1,9 @@
 #include "reference/glsl/texture_image.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 
 #include "reference/glsl/denormals.h"
-#include "reference/glsl/filtering.h"
+#include "reference/glsl/mipmaps.h"
 #include "reference/glsl/sample.h"
 
 namespace shadertwin::glsl {
@@ -56,41 +54,6 @@ BoundTexture bound(const TextureImage* image, const shadertwin::Sampler& sampler
   return {&image->view(), &sampling, state_of(sampler)};
 }
 
-// glGenerateMipmap draws each level as a quad that samples the level above linearly.
-void shrink(const TextureView& view, const TextureLevel& from, TextureLevel& to, std::byte* texels,
-            int layers) {
-  TextureView source;
-  source.is_float = view.is_float;
-  source.levels = 1;
-  SamplerState state;
-  state.min_linear = state.mag_linear = true;
-  state.wrap = SamplerState::Wrap::clamp;
-  const bool volume = from.depth > 1;
-  const int offset[3] = {0, 0, 0};
-  const std::size_t texel_bytes = view.is_float ? 16 : 4;
-  const std::size_t from_layer = texel_bytes * from.width * from.height;
-  std::byte* out = texels;
-  for (int z = 0; z < layers; ++z) {
-    source.level[0] = from;
-    if (!volume) source.level[0].texels = static_cast<const std::byte*>(from.texels) + from_layer * z;
-    for (int y = 0; y < to.height; ++y) {
-      for (int x = 0; x < to.width; ++x, out += texel_bytes) {
-        const float p[3] = {(static_cast<float>(x) + 0.5F) / static_cast<float>(to.width),
-                            (static_cast<float>(y) + 0.5F) / static_cast<float>(to.height),
-                            (static_cast<float>(z) + 0.5F) / static_cast<float>(to.depth)};
-        float rgba[4];
-        (volume ? sampling_3d() : sampling_2d()).sample(source, state, p, offset, LodRequest{}, rgba);
-        if (view.is_float) {
-          std::memcpy(out, rgba, sizeof rgba);
-        } else {
-          for (int c = 0; c < 4; ++c)
-            out[c] = static_cast<std::byte>(filtering::to_nearest(rgba[c] * 255.0F));
-        }
-      }
-    }
-  }
-}
-
 }  // namespace
 
 TextureImage::TextureImage(const Texture& texture, bool mipmaps) {
@@ -110,7 +73,7 @@ void TextureImage::add_mipmaps(int faces) {
     const int layers = to.depth * faces;
     const std::size_t texel_bytes = view_.is_float ? 16 : 4;
     mipmaps_.emplace_back(texel_bytes * to.width * to.height * layers);
-    shrink(view_, from, to, mipmaps_.back().data(), layers);
+    shrink(view_.is_float, from, to, mipmaps_.back().data(), layers);
     to.texels = mipmaps_.back().data();
     view_.level[view_.levels++] = to;
   }
