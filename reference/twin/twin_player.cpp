@@ -99,10 +99,13 @@ class TwinPlayerImpl final : public TwinPlayer {
     const CppOptions emit{options_.double_precision, options_.timeout > 0};
     CompileOptions compile;
     compile.uninitialised = options_.uninitialised;
-    compile.debug = options_.debug;
+    compile.debug =
+        options_.stop_at && &pass == &project_.passes.at(static_cast<std::size_t>(options_.stop_at->pass));
     compile.double_precision = options_.double_precision;
     // The cache is asked before the shader is parsed: the key is everything that the C++ follows from.
-    const std::string key = cache_key(project_, pass, emit);
+    std::string key = cache_key(project_, pass, emit);
+    // Debuggers look for the shader's files from the folder that the compiler ran in.
+    if (compile.debug) key += '\n' + std::filesystem::current_path().string();
     const std::filesystem::path object = compiler_.object_path(key, compile);
     if (std::filesystem::exists(object)) {
       try {
@@ -235,8 +238,14 @@ class TwinPlayerImpl final : public TwinPlayer {
       if (request.quads) request.quad_runner = &quad_runners_.local();
       state.module->render(request);
     };
-    if (options_.debug)
+    if (options_.stop_at && static_cast<std::size_t>(options_.stop_at->pass) == index) {
+      const Moment& stop = *options_.stop_at;
+      if (stop.frame == frame.index && face == 0) {
+        region = clipped({stop.x, stop.y, 1, 1}, target);
+        shadertwin_debug_stop();
+      }
       return draw_rectangle(region.x, region.y, region.x + region.width, region.y + region.height);
+    }
     const oneapi::tbb::blocked_range2d<int> pixels(region.y, region.y + region.height, tile, region.x,
                                                    region.x + region.width, tile);
     oneapi::tbb::parallel_for(pixels, [&](const oneapi::tbb::blocked_range2d<int>& part) {
@@ -274,3 +283,8 @@ std::unique_ptr<TwinPlayer> TwinPlayer::create(const Project& project, const Twi
 }
 
 }  // namespace shadertwin::twin
+
+void shadertwin_debug_stop() {
+  // Keeps the compiler from dropping the calls.
+  asm volatile("");
+}

@@ -16,10 +16,19 @@ struct Rectangle {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
+// One pixel of one pass in one frame.
+struct Moment {
+  int pass = 0;
+  int frame = 0;
+  int x = 0, y = 0;
+};
+
 struct TwinOptions {
   bool double_precision = false;
   Uninitialised uninitialised = Uninitialised::zero;
-  bool debug = false;               // -O0 -g, one thread
+  // For a debugger: that pass is compiled with -O0 -g and drawn by one thread, and shadertwin_debug_stop() is
+  // called before the pixel, which is then drawn alone.
+  std::optional<Moment> stop_at;
   std::optional<Rectangle> region;  // of the last pass; what lies outside is left zero
   double timeout = 0;               // seconds for one frame; 0: none
 };
@@ -43,3 +52,6 @@ class TwinPlayer : public Player {
 };
 
 }  // namespace shadertwin::twin
+
+// Does nothing: a place for a debugger to stop at.
+extern "C" void shadertwin_debug_stop();
