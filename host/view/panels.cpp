@@ -63,6 +63,7 @@ void draw_help(bool& open) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::SetNextWindowSizeConstraints({0, 0}, screen);
+  ImGui::SetNextWindowBgAlpha(0.95F);
   if (ImGui::Begin(
           "shadertwin: keys", &open,
           ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoCollapse)) {

@@ -126,7 +126,8 @@ class View {
       case Event::Kind::key_down:
         if (const auto action = action_for(event.code, event.modifiers))
           perform(*action);
-        else if (const auto code = browser_code(event.code); code.has_value() && !overlay_.wants_keys())
+        else if (const auto code = browser_code(event.code);
+                 code.has_value() && !(shows_panels() && overlay_.wants_keys()))
           input(playing_.hears_keyboard(), [&] { clock_.keyboard().press(*code); });
         break;
       case Event::Kind::key_up:
@@ -134,7 +135,7 @@ class View {
           input(playing_.hears_keyboard(), [&] { clock_.keyboard().release(*code); });
         break;
       case Event::Kind::button_down:
-        if (overlay_.wants_mouse(event.position)) break;
+        if (shows_panels() && overlay_.wants_mouse(event.position)) break;
         if (inspector_) {
           print_commands(event.position);
           break;
@@ -356,9 +357,11 @@ class View {
       presenter_.draw(picture, pixels, paint_);
     else
       presenter_.clear(pixels);
-    overlay_.begin();
-    panels();
-    overlay_.end();
+    if (shows_panels()) {
+      overlay_.begin();
+      panels();
+      overlay_.end();
+    }
     playing_.stage().shown();
     window_.swap();
     if (reloading_since_.has_value() && !waiting_) {
@@ -371,6 +374,11 @@ class View {
     const auto interval = std::chrono::duration_cast<Clock::duration>(
         std::chrono::duration<double>(0.97 / window_.refresh_rate()));
     next_ = std::max(next_ + interval, start);
+  }
+
+  bool shows_panels() {
+    return hud_ || help_ || inspector_ || !notice_.empty() || !problem_.empty() ||
+           (sliders_ && !playing_.uniforms().declared().empty());
   }
 
   void panels() {

@@ -4,7 +4,10 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "host/player/keyboard.h"
@@ -21,6 +24,20 @@ TEST(Keys, EveryActionHasOneKeyOfItsOwn) {
     EXPECT_EQ(action_for(binding.key, binding.modifiers), binding.action) << binding.name;
   }
   EXPECT_EQ(actions.size(), static_cast<std::size_t>(Action::quit) + 1);
+}
+
+TEST(Keys, TheReadmeListsThem) {
+  std::ifstream stream(SHADERTWIN_SOURCE_DIR "/README.md");
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  const std::string table =
+      text.substr(text.find("### The window"), text.find("### Shaders") - text.find("### The window"));
+  for (const Binding& binding : bindings()) {
+    const std::string name = binding.name;
+    EXPECT_TRUE(table.find("| " + name + " |") != std::string::npos ||
+                table.find("| " + name + ",") != std::string::npos ||
+                table.find(", " + name + " |") != std::string::npos)
+        << name;
+  }
 }
 
 TEST(Keys, LettersDigitsAndArrowsAreTheShaders) {
