@@ -6,7 +6,9 @@
 #include "host/base/error.h"
 #include "host/base/output_file.h"
 #include "host/export/export.h"
+#include "host/export/output_folder.h"
 #include "host/project/write_json.h"
+#include "reference/emit/emit_cpp.h"
 
 namespace shadertwin::app {
 
@@ -38,14 +40,27 @@ void write_text(const std::string& file, const std::string& text) {
   output.commit();
 }
 
+// A C++ file a pass: what the CPU twin compiles.
+void write_cpp(const Project& project, const std::filesystem::path& folder) {
+  // reference/ holds the headers that it includes.
+  const std::string how =
+      "// c++ -std=c++20 -O2 -ffp-contract=off -fPIC -shared -I SOURCES-OF-SHADERTWIN THIS-FILE -o pass.so\n";
+  OutputFolder output(folder);
+  for (const Pass& pass : project.passes)
+    output.write(file_stem(pass.name) + ".cpp", how + emit_cpp(project, pass));
+  output.commit();
+}
+
 void export_project(const ExportOptions& options) {
   const Project project = load(options);
   if (options.to == "html")
     write_text(options.output, html_player(project, title_of(options.shader)));
   else if (options.to == "json")
     write_text(options.output, write_json(titled(for_site(project), options.shader)));
-  else
+  else if (options.to == "tabs")
     write_tabs(for_site(project), options.output);
+  else
+    write_cpp(project, options.output);
 }
 
 }  // namespace
@@ -59,10 +74,13 @@ void add_export(CLI::App& app) {
           "--to", options->to,
           "html: a page that plays it in any browser, with everything inside (#paused, #time=SECONDS, "
           "#size=WxH or #bare behind its address set it up); tabs: a folder with a text a tab to paste "
-          "into shadertoy.com, and BINDINGS.txt; json: as Shadertoy's API gives a shader")
+          "into shadertoy.com, and BINDINGS.txt; json: as Shadertoy's API gives a shader; cpp: a folder with "
+          "a C++ file a pass, "
+          "as the CPU twin compiles it")
       ->required()
-      ->check(CLI::IsMember({"html", "tabs", "json"}));
-  command->add_option("-o,--output", options->output, "the file to write; for tabs a new folder")->required();
+      ->check(CLI::IsMember({"html", "tabs", "json", "cpp"}));
+  command->add_option("-o,--output", options->output, "the file to write; for tabs and cpp a new folder")
+      ->required();
   command->callback([options] { export_project(*options); });
 }
 

@@ -1,13 +1,10 @@
-#include <unistd.h>
-
 #include <algorithm>
-#include <cctype>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "host/base/error.h"
 #include "host/export/export.h"
+#include "host/export/output_folder.h"
 #include "host/project/write_json.h"
 
 namespace shadertwin {
@@ -17,57 +14,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// A folder that appears under its name only when it is complete.
-class OutputFolder {
- public:
-  explicit OutputFolder(const fs::path& target) : target_(fs::absolute(target / "").parent_path()) {
-    std::error_code problem;
-    if (fs::exists(target_, problem) &&
-        !(fs::is_directory(target_, problem) && fs::is_empty(target_, problem)))
-      throw Error(ExitStatus::file, target.string() + ": error: is there already");
-    temporary_ = target_.parent_path() /
-                 ("." + target_.filename().string().substr(0, 200) + "." + std::to_string(getpid()));
-    fs::create_directory(temporary_, problem);
-    if (problem) throw Error(ExitStatus::file, target.string() + ": error: " + problem.message());
-  }
-  ~OutputFolder() {
-    std::error_code ignored;
-    if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
-  }
-  OutputFolder(const OutputFolder&) = delete;
-  OutputFolder& operator=(const OutputFolder&) = delete;
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream stream(temporary_ / name, std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream) throw Error(ExitStatus::file, (target_ / name).string() + ": error: can't be written");
-  }
-
-  void copy(const fs::path& file, const std::string& name) const {
-    std::error_code problem;
-    fs::copy_file(file, temporary_ / name, problem);
-    if (problem) throw Error(ExitStatus::file, file.string() + ": error: " + problem.message());
-  }
-
-  void commit() {
-    std::error_code problem;
-    fs::rename(temporary_, target_, problem);
-    if (problem) throw Error(ExitStatus::file, target_.string() + ": error: " + problem.message());
-    temporary_.clear();
-  }
-
- private:
-  fs::path target_;
-  fs::path temporary_;
-};
-
-// "Buffer A" -> buffer_a.glsl
-std::string file_name(std::string tab) {
-  for (char& c : tab) c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return tab + ".glsl";
-}
 
 const char* filter_name(const Sampler& sampler) {
   if (sampler.mag == MagFilter::nearest && sampler.min == MinFilter::nearest) return "nearest";
@@ -90,7 +36,7 @@ class TabsWriter {
     for (const Json& tab : document.at("Shader").at("renderpass")) {
       const std::string type = tab.at("type");
       names_.push_back(type == "common" ? "Common" : tab_name(tab, type));
-      output_.write(file_name(names_.back()), tab.at("code"));
+      output_.write(file_stem(names_.back()) + ".glsl", tab.at("code"));
     }
     for (const Pass& pass : project_.passes) bind(pass);
     output_.write("shadertoy.json", settings_.dump(2) + "\n");

@@ -70,6 +70,19 @@ TEST(Export, NoShaderCanEndThePagesScript) {
   EXPECT_EQ(contents(folder / "page.html").find("</script><b>"), std::string::npos);
 }
 
+// A compiler takes it as it takes the twin's own.
+TEST(Export, CppCompiles) {
+  const ScratchFolder folder;
+  write_shader(folder);
+  const Outcome outcome = run(folder, "export image.glsl -D LEVEL=0.5 --to cpp -o cpp");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* name : {"image.cpp", "state.cpp"}) {
+    const std::string command = "c++ -std=c++20 -fsyntax-only -I'" SHADERTWIN_SOURCE_DIR "' '" +
+                                (folder / "cpp" / name).string() + "' 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0) << contents(folder / "cpp" / name);
+  }
+}
+
 TEST(Export, AFolderThatIsThereStaysAsItIs) {
   const ScratchFolder folder;
   write_shader(folder);
