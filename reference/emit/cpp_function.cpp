@@ -120,7 +120,7 @@ bool CppFunction::is_pending(const TIntermSymbol& symbol) const {
 void CppFunction::declare(const TIntermSymbol& symbol) {
   const std::string name = take_name(symbol);
   block_names_.push_back(name);
-  line(context_.type(symbol.getType()) + " " + name + ";");
+  line(context_.type(symbol.getType()) + " " + name + (context_.options().initialise_locals ? "{};" : ";"));
 }
 
 // Declares what `block` declares before statement `index`, but leaves to the statement what its assignment

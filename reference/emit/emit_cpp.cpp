@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 #include "host/base/error.h"
 #include "reference/emit/cpp_context.h"
@@ -63,8 +64,46 @@ bool looks_like_macro(const std::string& name) {
 
 class CppModule {
  public:
-  CppModule(const Project& project, const Program& program, const CppOptions& options)
-      : program_(program), context_(program, options), text_(project, "twin.cpp") {}
+  CppModule(const Project& project, const Program& program, const CppOptions& options, const std::string& own_name)
+      : program_(program), context_(program, options), text_(project, own_name) {}
+
+  std::string write_header(const std::string& name) {
+    std::vector<CppLine> functions;
+    std::vector<std::string> prototypes;
+    for (const Function& function : program_.functions()) {
+      CppFunction writer(context_, function);
+      prototypes.push_back("inline " + writer.signature() + ";");
+      std::vector<CppLine> lines = writer.lines();
+      lines.front().text.insert(0, "inline ");
+      functions.push_back({});
+      functions.insert(functions.end(), lines.begin(), lines.end());
+    }
+    const std::vector<std::string> variables = thread_variables();
+
+    text_.add("#pragma once");
+    text_.add("#pragma GCC system_header");  // written by a program: its warnings would be nobody's
+    text_.add("");
+    if (context_.options().double_precision) {
+      text_.add("#ifndef SHADERTWIN_DOUBLE");
+      text_.add("#error \"this header is for a target with SHADERTWIN_DOUBLE\"");
+      text_.add("#endif");
+    }
+    text_.add("#include \"reference/twin/alone.h\"");
+    text_.add("");
+    text_.add("namespace " + name + " {");
+    text_.add("");
+    text_.add("using namespace shadertwin::glsl;");
+    text_.add("");
+    structs();
+    for (const std::string& constant : context_.hoisted()) text_.add("inline " + constant);
+    for (const std::string& variable : variables) text_.add(variable);
+    text_.add("");
+    for (const std::string& prototype : prototypes) text_.add(prototype);
+    for (const CppLine& line : functions) text_.add(line);
+    text_.add("");
+    text_.add("}  // namespace " + name);
+    return text_.take();
+  }
 
   std::string write() {
     std::vector<CppLine> members;
@@ -142,6 +181,25 @@ class CppModule {
     text_.add("");
   }
 
+  // Globals and uniforms where there is no invocation to hold them.
+  std::vector<std::string> thread_variables() {
+    std::map<SymbolId, std::string> values;
+    NameScope names;
+    CppExpressions expressions(context_, names);
+    for (const TIntermBinary* initialiser : program_.initialisers()) {
+      if (const TIntermSymbol* symbol = initialiser->getLeft()->getAsSymbolNode())
+        values[symbol->getId()] = expressions.self_contained(*initialiser->getRight());
+    }
+    std::vector<std::string> lines;
+    for (const TIntermSymbol* symbol : program_.globals()) {
+      if (symbol->getQualifier().isConstant() || is_unused_uniform(*symbol)) continue;
+      const auto value = values.find(symbol->getId());
+      lines.push_back("inline thread_local " + context_.type(symbol->getType()) + " " + context_.global(*symbol) +
+                      (value == values.end() ? "{};" : " = " + value->second + ";"));
+    }
+    return lines;
+  }
+
   std::vector<std::string> initialiser_lines() {
     std::vector<std::string> lines;
     std::set<SymbolId> written;
@@ -205,7 +263,16 @@ std::string emit_cpp(const Project& project, const Pass& pass, const CppOptions&
   const emit::SyntaxTree tree(project, pass.source,
                               options.double_precision ? emit::Folding::float64 : emit::Folding::float32);
   const emit::Program program(tree);
-  return emit::CppModule(project, program, options).write();
+  return emit::CppModule(project, program, options, "twin.cpp").write();
+}
+
+std::string emit_header(const Project& project, const Pass& pass, const std::string& name, const CppOptions& options) {
+  CppOptions header = options;
+  header.initialise_locals = true;
+  const emit::SyntaxTree tree(project, pass.source,
+                              header.double_precision ? emit::Folding::float64 : emit::Folding::float32);
+  const emit::Program program(tree);
+  return emit::CppModule(project, program, header, name + ".h").write_header(name);
 }
 
 }  // namespace shadertwin

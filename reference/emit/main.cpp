@@ -1,0 +1,82 @@
+// shadertwin-emit: functions of a shader as a C++ header, at build time. What shadertwin_add_twin() runs.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+
+#include "host/base/error.h"
+#include "host/base/output_file.h"
+#include "reference/emit/emit_cpp.h"
+
+namespace {
+
+using namespace shadertwin;
+
+// What a shader may rely on without declaring it.
+constexpr const char* head =
+    "#version 300 es\n"
+    "precision highp float; precision highp int;\n"
+    "precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;\n"
+    "uniform vec3 iResolution; uniform float iTime, iTimeDelta, iFrameRate; uniform int iFrame; uniform vec4 iDate, iMouse;\n"
+    "uniform float iSampleRate, iChannelTime[4]; uniform vec3 iChannelResolution[4];\n"
+    "uniform sampler2D iChannel0, iChannel1, iChannel2, iChannel3;\n";
+
+struct Arguments {
+  std::vector<std::string> files;
+  std::vector<std::string> defines;
+  std::string name;
+  std::string output;
+  bool double_precision = false;
+};
+
+Project read(const Arguments& arguments) {
+  Project project;
+  Pass pass;
+  pass.source.head = head;
+  for (const std::string& define : arguments.defines) {
+    const std::size_t equals = define.find('=');
+    pass.source.head += "#define " + define.substr(0, equals) + ' ' +
+                        (equals == std::string::npos ? "" : define.substr(equals + 1)) + '\n';
+  }
+  for (const std::string& file : arguments.files) {
+    std::ifstream in(file);
+    if (!in) throw Error(ExitStatus::file, file + ": can't be read");
+    project.files.push_back(file);
+    int line_number = 0;
+    for (std::string line; std::getline(in, line);) {
+      pass.source.body += line + '\n';
+      pass.source.lines.push_back({static_cast<int>(project.files.size()) - 1, ++line_number});
+    }
+  }
+  project.passes.push_back(pass);
+  return project;
+}
+
+void run(const Arguments& arguments) {
+  const Project project = read(arguments);
+  CppOptions options;
+  options.double_precision = arguments.double_precision;
+  const std::string text = emit_header(project, project.passes.front(), arguments.name, options);
+  OutputFile output(arguments.output);
+  std::ofstream(output.path(), std::ios::binary) << text;
+  output.commit();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Writes the functions of a shader as a C++ header."};
+  Arguments arguments;
+  app.add_option("files", arguments.files, "GLSL files, read one behind the other")->required();
+  app.add_option("-D,--define", arguments.defines, "NAME or NAME=VALUE, as #define in front of the files");
+  app.add_option("--namespace", arguments.name, "the namespace of the functions")->required();
+  app.add_option("-o,--output", arguments.output, "the header to write")->required();
+  app.add_flag("--double", arguments.double_precision, "for a target with SHADERTWIN_DOUBLE");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    run(arguments);
+  } catch (const Error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return static_cast<int>(error.status());
+  }
+  return 0;
+}
