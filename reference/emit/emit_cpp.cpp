@@ -64,7 +64,8 @@ bool looks_like_macro(const std::string& name) {
 
 class CppModule {
  public:
-  CppModule(const Project& project, const Program& program, const CppOptions& options, const std::string& own_name)
+  CppModule(const Project& project, const Program& program, const CppOptions& options,
+            const std::string& own_name)
       : program_(program), context_(program, options), text_(project, own_name) {}
 
   std::string write_header(const std::string& name) {
@@ -194,7 +195,8 @@ class CppModule {
     for (const TIntermSymbol* symbol : program_.globals()) {
       if (symbol->getQualifier().isConstant() || is_unused_uniform(*symbol)) continue;
       const auto value = values.find(symbol->getId());
-      lines.push_back("inline thread_local " + context_.type(symbol->getType()) + " " + context_.global(*symbol) +
+      lines.push_back("inline thread_local " + context_.type(symbol->getType()) + " " +
+                      context_.global(*symbol) +
                       (value == values.end() ? "{};" : " = " + value->second + ";"));
     }
     return lines;
@@ -266,7 +268,8 @@ std::string emit_cpp(const Project& project, const Pass& pass, const CppOptions&
   return emit::CppModule(project, program, options, "twin.cpp").write();
 }
 
-std::string emit_header(const Project& project, const Pass& pass, const std::string& name, const CppOptions& options) {
+std::string emit_header(const Project& project, const Pass& pass, const std::string& name,
+                        const CppOptions& options) {
   CppOptions header = options;
   header.initialise_locals = true;
   const emit::SyntaxTree tree(project, pass.source,

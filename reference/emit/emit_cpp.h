@@ -8,9 +8,9 @@
 namespace shadertwin {
 
 struct CppOptions {
-  bool double_precision = false;  // constants are folded and written as double
-  bool loop_guards = false;       // every loop asks whether it has to stop
-  bool initialise_locals = false; // variables start at zero without the help of a compiler's flag
+  bool double_precision = false;   // constants are folded and written as double
+  bool loop_guards = false;        // every loop asks whether it has to stop
+  bool initialise_locals = false;  // variables start at zero without the help of a compiler's flag
 };
 
 // The whole translation unit for a pass, to be compiled against reference/twin/invocation.h, for
@@ -18,10 +18,11 @@ struct CppOptions {
 // with lines `file:line: error: text`.
 std::string emit_cpp(const Project& project, const Pass& pass, const CppOptions& options = {});
 
-// The functions of a shader, with or without an entry point, as a header: free functions in the namespace `name`, to be
-// included by tests. Global variables and uniforms become variables of the thread that a test may set. A function that
-// is called alone has no neighbours: derivatives are zero and textures are read at their base level. Compile with the
-// flags of shadertwin_glsl. Throws Error(shader).
-std::string emit_header(const Project& project, const Pass& pass, const std::string& name, const CppOptions& options = {});
+// The functions of a shader, with or without an entry point, as a header: free functions in the namespace
+// `name`, to be included by tests. Global variables and uniforms become variables of the thread that a test
+// may set. A function that is called alone has no neighbours: derivatives are zero and textures are read at
+// their base level. Compile with the flags of shadertwin_glsl. Throws Error(shader).
+std::string emit_header(const Project& project, const Pass& pass, const std::string& name,
+                        const CppOptions& options = {});
 
 }  // namespace shadertwin

@@ -16,7 +16,8 @@ constexpr const char* head =
     "#version 300 es\n"
     "precision highp float; precision highp int;\n"
     "precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;\n"
-    "uniform vec3 iResolution; uniform float iTime, iTimeDelta, iFrameRate; uniform int iFrame; uniform vec4 iDate, iMouse;\n"
+    "uniform vec3 iResolution; uniform float iTime, iTimeDelta, iFrameRate; uniform int iFrame; uniform vec4 "
+    "iDate, iMouse;\n"
     "uniform float iSampleRate, iChannelTime[4]; uniform vec3 iChannelResolution[4];\n"
     "uniform sampler2D iChannel0, iChannel1, iChannel2, iChannel3;\n";
 

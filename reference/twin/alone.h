@@ -9,7 +9,9 @@ namespace shadertwin::glsl {
 // What `discard` throws.
 struct Discarded {};
 
-[[noreturn]] inline void stop_invocation() { throw Discarded{}; }
+[[noreturn]] inline void stop_invocation() {
+  throw Discarded{};
+}
 
 // There are no neighbouring pixels: nothing changes from one to the next.
 template <class T>
