@@ -11,7 +11,7 @@ import { fileURLToPath } from 'node:url';
 import { openBrowser, openPage, pictureOf } from './browser.mjs';
 import { compare } from './compare.mjs';
 import { readExr } from './exr.mjs';
-import { scenesOf, tabsOf } from './tabs.mjs';
+import { scenesOf, tabsOf, writeJson } from './tabs.mjs';
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const shaders = path.resolve(here, '../../shadertoy');
@@ -119,6 +119,18 @@ for (const { number, file } of scenes)
     assert.deepEqual(page.problems, []);
     await page.context().close();
   });
+
+// Tabs made in the order of their letters, as one does: the path tracer then sees the camera of the frame before.
+test('the tabs give the same picture when the path tracer comes before its camera', async (t) => {
+  const passes = tabsOf(shaders, scenes[1].file).sort((a, b) => (a.name < b.name ? -1 : 1));
+  const { page, errors } = await openSite(passes);
+  assert.deepEqual(errors, []);
+  await play(page);
+  const shader = writeJson(passes, folder);
+  for (const { name } of passes.filter((p) => p.type === 'buffer'))
+    assertAlike(t, name, pictureOf(await page.evaluate((pass) => window.site.read(pass), name)), render([shader], name));
+  await page.context().close();
+});
 
 // The test can fail: the page does not forgive what the site does not.
 test('what shadertoy.com rejects is rejected, with the tab and its line', async () => {

@@ -1,5 +1,5 @@
 // The tabs of the path tracer as one pastes them into shadertoy.com, from the files that local tools open.
-import { readFileSync } from 'node:fs';
+import { copyFileSync, existsSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 
 const letters = 'ABCD';
@@ -33,15 +33,11 @@ function dataUrl(file) {
   return `data:image/${kind};base64,${readFileSync(file).toString('base64')}`;
 }
 
-function cubeFaces(pattern) {
-  for (const names of faceSets) {
-    try {
-      return names.map((name) => dataUrl(pattern.replace('{}', name)));
-    } catch (error) {
-      if (error.code !== 'ENOENT') throw error;
-    }
-  }
-  throw new Error(`${pattern} has no six faces`);
+function cubeFiles(pattern) {
+  const sets = faceSets.map((names) => names.map((name) => pattern.replace('{}', name)));
+  const found = sets.find((files) => files.every((file) => existsSync(file)));
+  if (!found) throw new Error(`${pattern} has no six faces`);
+  return found;
 }
 
 function samplerOf({ MinFilter = 'Linear', MagFilter = 'Linear', WrapMode = 'Repeat', Type }) {
@@ -74,8 +70,9 @@ export function tabsOf(folder, sceneFile) {
     if (source === 'self') return { channel, type: 'buffer', source: tabName(name), sampler };
     if (source.endsWith('.glsl')) return { channel, type: 'buffer', source: tabName(source), sampler };
     const file = path.join(folder, source);
-    if (Type === 'CubeMap') return { channel, type: 'cubemap', source: cubeFaces(file), sampler };
-    return { channel, type: 'texture', source: dataUrl(file), sampler };
+    const cube = Type === 'CubeMap';
+    const files = cube ? cubeFiles(file) : [file];
+    return { channel, type: cube ? 'cubemap' : 'texture', files, source: files.map(dataUrl), sampler };
   };
 
   const includes = files.get('image.glsl').includes;
@@ -89,4 +86,29 @@ export function tabsOf(folder, sceneFile) {
     inputs: [...channels].map((entry) => inputOf(name, entry)),
   }));
   return [{ name: 'Common', type: 'common', code: common, inputs: [] }, ...passes];
+}
+
+// The same tabs as the site's API would give them, with the pictures beside: a file that `shadertwin render` takes.
+export function writeJson(passes, folder) {
+  const outputs = new Map(passes.map(({ name }) => [name, 257 + letters.indexOf(name.at(-1))]));
+  outputs.set('Image', 37);
+  const inputOf = ({ channel, type, source, files = [], sampler }) => {
+    const name = files.length > 0 ? path.basename(files[0]) : '';
+    const [stem, extension] = [name.slice(0, name.lastIndexOf('.')), path.extname(name)];
+    files.forEach((file, i) => copyFileSync(file, path.join(folder, i === 0 ? name : `${stem}_${i}${extension}`)));
+    const settings = { ...sampler, vflip: String(sampler.vflip), srgb: 'false', internal: 'byte' };
+    const id = type === 'buffer' ? outputs.get(source) : 1000;
+    return { id, src: `/media/a/${name}`, ctype: type, channel, sampler: settings, published: 1 };
+  };
+  const renderpass = passes.map(({ name, type, code, inputs }) => ({
+    inputs: inputs.map(inputOf),
+    outputs: type === 'common' ? [] : [{ id: outputs.get(name), channel: 0 }],
+    code,
+    name,
+    description: '',
+    type,
+  }));
+  const file = path.join(folder, 'shader.json');
+  writeFileSync(file, JSON.stringify({ Shader: { ver: '0.1', info: { name: 'pasted' }, renderpass } }));
+  return file;
 }
