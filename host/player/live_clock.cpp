@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <ctime>
-#include <utility>
 
 namespace shadertwin {
 
@@ -30,7 +29,7 @@ Moment Moment::now() {
 }
 
 LiveClock::LiveClock(LiveSettings settings, Dialect dialect)
-    : settings_(std::move(settings)), dialect_(dialect), keyboard_(dialect), time_(settings_.t0) {}
+    : settings_(settings), dialect_(dialect), keyboard_(dialect), time_(settings_.t0) {}
 
 void LiveClock::set_paused(bool paused) {
   if (settings_.paused && !paused) resumed_ = true;
