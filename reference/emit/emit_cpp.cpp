@@ -94,6 +94,8 @@ class CppModule {
     text_.add("namespace " + name + " {");
     text_.add("");
     text_.add("using namespace shadertwin::glsl;");
+    for (const std::string& builtin : builtins())  // the C library has some of them in the global namespace
+      text_.add("using shadertwin::glsl::" + builtin + ";");
     text_.add("");
     structs();
     for (const std::string& constant : context_.hoisted()) text_.add("inline " + constant);
@@ -180,6 +182,14 @@ class CppModule {
       text_.add("  " + context_.type(symbol->getType()) + " " + context_.global(*symbol) + "{};");
     }
     text_.add("");
+  }
+
+  std::set<std::string> builtins() const {
+    std::set<std::string> names;
+    for (const Function& function : program_.functions()) {
+      for (const std::string& name : function.builtins) names.insert(context_.builtin(name));
+    }
+    return names;
   }
 
   // Globals and uniforms where there is no invocation to hold them.

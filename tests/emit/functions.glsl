@@ -34,3 +34,5 @@ float in_time(float x) {
   if (x < 0.0) discard;
   return x * iTime;
 }
+
+float with_library_names(float x) { return abs(x) + sqrt(abs(x)) + floor(x) + pow(abs(x), 3.0) + round(x); }

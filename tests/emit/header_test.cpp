@@ -33,6 +33,10 @@ TEST(Header, UninitialisedVariablesAreZero) {
   EXPECT_EQ(functions::blurred({{4.0f, 2.0f, 4.0f}}), 3.0f);
 }
 
+TEST(Header, BuiltinsAreNotMixedUpWithTheCLibrarys) {
+  EXPECT_EQ(functions::with_library_names(-4.0f), 4.0f + 2.0f - 4.0f + 64.0f - 4.0f);
+}
+
 TEST(Header, DiscardThrows) {
   EXPECT_THROW(functions::in_time(-1.0f), shadertwin::glsl::Discarded);
 }
