@@ -48,7 +48,7 @@ class View {
  public:
   explicit View(const ViewOptions& options)
       : options_(options),
-        window_(stem_of(options.shader), options.size),
+        window_(stem_of(options.shader) + " - loading", options.size),
         overlay_(window_),
         presenter_(window_.context()),
         playing_(options.shader, load(options.shader)),
