@@ -77,7 +77,8 @@ std::unique_ptr<Context> open_context(const std::string& name) {
     return open_egl(index);
   }
   if (name != "auto")
-    throw Error(ExitStatus::usage, "--on " + name + ": unknown player (auto, egl, egl:N, osmesa, cpu or cpu/double)");
+    throw Error(ExitStatus::usage,
+                "--on " + name + ": unknown player (auto, egl, egl:N, osmesa, cpu or cpu/double)");
   try {
     return open_egl(std::nullopt);
   } catch (const Error& no_egl) {
