@@ -9,8 +9,10 @@ namespace shadertwin {
 namespace emit {
 namespace {
 
-// Gives back what it gets. Its parameter is precise, and with it whatever is computed for it.
-constexpr const char* exact = "shadertwin_exact";
+// Variables of every function that take what no variable of the user's takes. A compiler keeps to the order
+// of what is assigned to a precise variable, but not of what is returned or tested directly.
+constexpr const char* result = "shadertwin_result";
+constexpr const char* test = "shadertwin_test";
 
 // What GLSL ES 3.20 has and 3.00 leaves to the shader: keywords and built-in functions.
 const std::set<std::string>& claimed_names() {
@@ -75,23 +77,6 @@ const std::set<std::string>& claimed_names() {
                                               "volatile",
                                               "writeonly"};
   return names;
-}
-
-std::string exact_function(const std::string& type) {
-  return type + " " + exact + "(precise " + type + " x) { return x; }";
-}
-
-std::string exact_functions() {
-  std::string text;
-  for (const char* scalar : {"bool", "int", "uint", "float"}) text += exact_function(scalar) + ' ';
-  for (const std::string n : {"2", "3", "4"}) {
-    for (const std::string prefix : {"bvec", "ivec", "uvec", "vec", "mat"})
-      text += exact_function(prefix + n) + ' ';
-    for (const std::string m : {"2", "3", "4"}) {
-      if (m != n) text += exact_function("mat" + n + "x" + m) + ' ';
-    }
-  }
-  return text;
 }
 
 class PreciseText {
@@ -175,10 +160,10 @@ class PreciseText {
     return token;
   }
 
-  void wrap(int first, int end) {
+  void assign(const std::string& variable, int first, int end) {
     if (first >= end || declares(first, end)) return;
-    before_[first] = std::string(exact) + "(" + before_[first];
-    after_[end - 1] += ")";
+    before_[first] = "(" + variable + " = (" + before_[first];
+    after_[end - 1] += "))";
   }
 
   bool declares(int first, int end) const {
@@ -194,17 +179,21 @@ class PreciseText {
     bool returns_one_value = false;
     for (int i = 0; i < size(); ++i) {
       const std::string& token = text(i);
-      if (token == "{" && depth++ == 0) returns_one_value = text(start) != "void" && text(start + 1) != "[";
+      if (token == "{" && depth++ == 0) {
+        const bool is_function = text(i - 1) == ")";
+        returns_one_value = is_function && text(start) != "void" && text(start + 1) != "[";
+        if (is_function) after_[i] += std::string(" precise bool ") + test + ";";
+        if (returns_one_value) after_[i] += " precise " + text(start) + ' ' + result + ";";
+      }
       if (token == "}") --depth;
-      if (depth == 0 && token == "}" && text(start) == "struct") mark_struct(start);
       if (depth == 0 && (token == ";" || token == "}" || token[0] == '#')) start = skip_qualifiers(i + 1);
       if (depth == 0) continue;
-      if (token == "if" || token == "while" || token == "switch") wrap(i + 2, closing(i + 1));
+      if (token == "if" || token == "while") assign(test, i + 2, closing(i + 1));
       if (token == "for") {
-        const int test = end_of_statement(i) + 1;
-        wrap(test, end_of_statement(test));
+        const int condition = end_of_statement(i) + 1;
+        assign(test, condition, end_of_statement(condition));
       }
-      if (token == "return" && returns_one_value) wrap(i + 1, end_of_statement(i));
+      if (token == "return" && returns_one_value) assign(result, i + 1, end_of_statement(i));
     }
   }
 
@@ -212,20 +201,6 @@ class PreciseText {
     static const std::set<std::string> precisions = {"highp", "mediump", "lowp"};
     while (precisions.count(text(token)) != 0) ++token;
     return token;
-  }
-
-  // A function for the structure, behind its declaration.
-  void mark_struct(int start) {
-    if (!is_identifier(text(start + 1)) || text(start + 2) != "{") return;
-    int depth = 0;
-    for (int i = start; i < size(); ++i) {
-      if (text(i) == "{") ++depth;
-      if (text(i) == "}") --depth;
-      if (depth == 0 && text(i) == ";") {
-        after_[i] += ' ' + exact_function(text(start + 1));
-        return;
-      }
-    }
   }
 
   const std::vector<Token>& tokens_;
@@ -265,7 +240,7 @@ PassSource precise_source(const Project& project, const PassSource& source) {
   const int tail = line_count(source.tail);
   std::vector<std::string> lines = PreciseText(tree).lines(head + body + tail);
   keep_output(source.head, lines);
-  lines[0] = "#version 320 es\nprecision highp float; precision highp int; " + exact_functions();
+  lines[0] = "#version 320 es";
   return {joined(lines, 0, head), joined(lines, head, body), joined(lines, head + body, tail), source.lines};
 }
 

@@ -30,9 +30,9 @@ TEST(EmitPrecise, MarksVariablesParametersResultsAndConditions) {
   EXPECT_TRUE(contains(text, "precise float g = 1.0"));
   EXPECT_TRUE(contains(text, "float f ( precise in vec2 a , precise out float b )"));
   EXPECT_TRUE(contains(text, "precise float x = a . x * a . y , y ;"));
-  EXPECT_TRUE(contains(text, "for ( precise int i = 0 ; shadertwin_exact(x < 2.0) ; i ++ )"));
-  EXPECT_TRUE(contains(text, "if ( shadertwin_exact(x > b) ) y = x ;"));
-  EXPECT_TRUE(contains(text, "return shadertwin_exact(x * b) ;"));
+  EXPECT_TRUE(contains(text, "for ( precise int i = 0 ; (shadertwin_test = (x < 2.0)) ; i ++ )"));
+  EXPECT_TRUE(contains(text, "if ( (shadertwin_test = (x > b)) ) y = x ;"));
+  EXPECT_TRUE(contains(text, "return (shadertwin_result = (x * b)) ;"));
 }
 
 TEST(EmitPrecise, LinesStayWhereTheyWere) {
@@ -51,7 +51,8 @@ TEST(EmitPrecise, NamesThatTheNewerVersionClaimsAreChanged) {
   pass.source.lines = {{0, 1}};
   project.passes.push_back(pass);
   EXPECT_TRUE(contains(emit_precise(project).passes[0].source.body,
-                       "float fma_ ( precise float buffer_ ) { return shadertwin_exact(buffer_) ; }"));
+                       "float fma_ ( precise float buffer_ ) { precise bool shadertwin_test; precise float "
+                       "shadertwin_result; return (shadertwin_result = (buffer_)) ; }"));
 }
 
 TEST(EmitPrecise, StructuresCanBeReturned) {
@@ -59,7 +60,7 @@ TEST(EmitPrecise, StructuresCanBeReturned) {
       precise_body(
           "struct S { float x; };\nS f(float a) { return S(a * 2.0); }\nvoid mainImage(out vec4 c, in "
           "vec2 p) { c = vec4(f(p.x).x); }\n"),
-      "S shadertwin_exact(precise S x) { return x; }"));
+      "precise S shadertwin_result; return (shadertwin_result = (S ( a * 2.0 ))) ;"));
 }
 
 TEST(EmitPrecise, RefusesWhatDoesNotCompile) {
