@@ -153,6 +153,7 @@ fs::path Compiler::object_path(const std::string& text, const CompileOptions& op
 
 fs::path Compiler::precompiled_header(const std::vector<std::string>& arguments) const {
   if (is_clang()) return {};
+  const std::lock_guard lock(header_mutex_);
   std::string key = identity_;
   for (const std::string& argument : arguments) key += '\n' + argument;
   const fs::path folder = cache_ / ("headers-" + hash_name(key));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -51,7 +52,8 @@ class Compiler {
   std::filesystem::path include_root_;  // the folder that holds reference/
   std::filesystem::path cache_;
   bool owns_cache_ = false;
-  std::string identity_;  // of compiler, processor and headers
+  mutable std::mutex header_mutex_;  // of those who want the precompiled header, one makes it
+  std::string identity_;             // of compiler, processor and headers
 };
 
 }  // namespace shadertwin::twin

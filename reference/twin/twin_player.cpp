@@ -3,6 +3,7 @@
 #include <oneapi/tbb/blocked_range2d.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_for_each.h>
 
 #include <algorithm>
 #include <chrono>
@@ -46,6 +47,7 @@ class TwinPlayerImpl final : public TwinPlayer {
   TwinPlayerImpl(const Project& project, const TwinOptions& options) : project_(project), options_(options) {
     const std::vector<bool> history = passes_with_history(project_);
     passes_.resize(project_.passes.size());
+    compile_missing();
     for (std::size_t i = 0; i < passes_.size(); ++i) {
       if (project_.passes[i].kind == PassKind::sound) continue;
       passes_[i].module = load(project_.passes[i]);
@@ -95,27 +97,56 @@ class TwinPlayerImpl final : public TwinPlayer {
   }
 
  private:
-  std::unique_ptr<Module> load(const Pass& pass) {
-    const CppOptions emit{options_.double_precision, options_.timeout > 0};
+  CompileOptions compile_options(const Pass& pass) const {
     CompileOptions compile;
     compile.uninitialised = options_.uninitialised;
     compile.debug =
         options_.stop_at && &pass == &project_.passes.at(static_cast<std::size_t>(options_.stop_at->pass));
     compile.double_precision = options_.double_precision;
-    // The cache is asked before the shader is parsed: the key is everything that the C++ follows from.
-    std::string key = cache_key(project_, pass, emit);
+    return compile;
+  }
+
+  CppOptions emit_options() const {
+    CppOptions emit;
+    emit.double_precision = options_.double_precision;
+    emit.loop_guards = options_.timeout > 0;
+    return emit;
+  }
+
+  // The cache is asked before the shader is parsed: the key is everything that the C++ follows from.
+  std::filesystem::path object_path(const Pass& pass) const {
+    const CompileOptions compile = compile_options(pass);
+    std::string key = cache_key(project_, pass, emit_options());
     // Debuggers look for the shader's files from the folder that the compiler ran in.
     if (compile.debug) key += '\n' + std::filesystem::current_path().string();
-    const std::filesystem::path object = compiler_.object_path(key, compile);
-    if (std::filesystem::exists(object)) {
-      try {
-        return std::make_unique<Module>(object);
-      } catch (const Error&) {
-        // Damaged: compile it again.
-      }
+    return compiler_.object_path(key, compile);
+  }
+
+  // Compiles the passes that the cache does not hold side by side.
+  void compile_missing() {
+    struct Job {
+      std::string source;
+      CompileOptions options;
+    };
+    std::map<std::filesystem::path, Job> jobs;  // passes of the same text need one twin
+    for (const Pass& pass : project_.passes) {
+      if (pass.kind == PassKind::sound) continue;
+      const std::filesystem::path object = object_path(pass);
+      if (!std::filesystem::exists(object))
+        jobs[object] = {emit_cpp(project_, pass, emit_options()), compile_options(pass)};
     }
-    compiler_.compile(emit_cpp(project_, pass, emit), object, compile);
-    return std::make_unique<Module>(object);
+    oneapi::tbb::parallel_for_each(
+        jobs, [&](const auto& job) { compiler_.compile(job.second.source, job.first, job.second.options); });
+  }
+
+  std::unique_ptr<Module> load(const Pass& pass) const {
+    const std::filesystem::path object = object_path(pass);
+    try {
+      return std::make_unique<Module>(object);
+    } catch (const Error&) {  // damaged
+      compiler_.compile(emit_cpp(project_, pass, emit_options()), object, compile_options(pass));
+      return std::make_unique<Module>(object);
+    }
   }
 
   static std::string cache_key(const Project& project, const Pass& pass, const CppOptions& emit) {
