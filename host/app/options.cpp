@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "host/base/error.h"
+#include "reference/emit/emit_precise.h"
 
 namespace shadertwin::app {
 
@@ -66,6 +67,10 @@ void add_load_options(CLI::App& command, PlayOptions& o) {
       ->required();
   add_repeated(command, "-D,--define", o.defines,
                "NAME[=VALUE]: #define in front of every pass; sets a shader's knob");
+  command.add_flag(
+      "--precise", o.precise,
+      "play the shader as GLSL ES 3.20 with every computation precise: a GPU's compiler then keeps to "
+      "the operations that the text states, as the CPU twin does");
   command.add_option("--seed", o.seed, "the same as -D SEED=N: another stream of random numbers");
   command.add_flag("--quiet", o.quiet, "no warnings and no progress bar");
 }
@@ -178,7 +183,7 @@ Project load(const PlayOptions& o) {
   Project project = load_project(o.shader, make_load_options(o));
   if (!o.quiet)
     for (const std::string& warning : project.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
-  return project;
+  return o.precise ? emit_precise(project) : project;
 }
 
 }  // namespace shadertwin::app

@@ -26,6 +26,7 @@ struct PlayOptions {
   std::string tile;
   double timeout = 0.0;
   bool quiet = false;
+  bool precise = false;
   std::string seed;
 };
 

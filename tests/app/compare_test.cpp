@@ -22,6 +22,17 @@ class CompareCommand : public testing::Test {
   ScratchFolder folder;
 };
 
+TEST_F(CompareCommand, PreciseMakesLlvmpipeAndTheTwinAgree) {
+  folder.write("sums.glsl",
+               "void mainImage(out vec4 c, in vec2 p) {\n"
+               "  vec3 v = vec3(p / iResolution.xy, p.x / 7.);\n"
+               "  c = vec4(v.x * v.z + v.y * v.x + v.z * v.y, (v.x + 0.1) + 0.1, v.xy);\n}\n");
+  const std::string arguments = "compare sums.glsl --on egl --on cpu --size 32x18 --max-ulp 0";
+  EXPECT_EQ(run(folder, arguments).status, 1);
+  const Outcome outcome = run(folder, arguments + " --precise");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
 TEST_F(CompareCommand, EglAndOsmesaGiveTheSameBitsInEveryPass) {
   const Outcome outcome = run(folder,
                               "compare main.glsl --on egl --on osmesa --size 32x18 --frames 5 --every-frame "
