@@ -13,7 +13,9 @@ namespace shadertwin::emit {
 namespace {
 
 constexpr int version = 300;
-constexpr EShMessages messages = EShMsgDefault;
+EShMessages messages_for(Errors errors) {
+  return errors == Errors::all ? EShMsgCascadingErrors : EShMsgDefault;
+}
 
 // glslang numbers its messages by token; map_log wants lines.
 std::string log_by_line(const std::string& log, const std::vector<Token>& tokens) {
@@ -39,10 +41,11 @@ std::string log_by_line(const std::string& log, const std::vector<Token>& tokens
 
 }  // namespace
 
-SyntaxTree::SyntaxTree(const Project& project, const PassSource& source, Folding folding)
+SyntaxTree::SyntaxTree(const Project& project, const PassSource& source, Folding folding, Errors errors)
     : project_(project),
       source_(source),
       head_lines_(static_cast<int>(std::count(source.head.begin(), source.head.end(), '\n'))) {
+  const EShMessages messages = messages_for(errors);
   const std::string text = source.text();
   const char* strings = text.c_str();
   glslang::TShader preprocessor(EShLangFragment);

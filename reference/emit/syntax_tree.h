@@ -18,6 +18,9 @@ namespace shadertwin::emit {
 // Whether constant expressions are folded in the float arithmetic that a GPU's compiler uses, or in double.
 enum class Folding { float32, float64 };
 
+// Whether a parse that fails tells its first error or all of them; later ones may follow from the first.
+enum class Errors { first, all };
+
 // Keeps glslang's tables alive. They are counted, so one that lives longer makes every other one cheap.
 class ParserLibrary {
  public:
@@ -31,7 +34,8 @@ class SyntaxTree {
  public:
   // Parses a pass's whole text, `#version 300 es` or `#version 320 es`. Throws Error(shader) with lines
   // `file:line: error: text`.
-  SyntaxTree(const Project& project, const PassSource& source, Folding folding);
+  SyntaxTree(const Project& project, const PassSource& source, Folding folding,
+             Errors errors = Errors::first);
 
   // The sequence of everything global: initialisers, functions, and the list of global names.
   const glslang::TIntermAggregate& root() const { return *root_; }

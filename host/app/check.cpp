@@ -1,0 +1,76 @@
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+#include <memory>
+
+#include "host/app/command.h"
+#include "host/app/options.h"
+#include "host/app/report.h"
+#include "host/base/error.h"
+#include "reference/check/finding.h"
+#include "reference/check/rules.h"
+
+namespace shadertwin::app {
+
+namespace {
+
+using check::Finding;
+
+// `out` parameters are left as the shader leaves them: zero would hide what is to be found.
+Project load_unchanged(const PlayOptions& options) {
+  LoadOptions load_options = make_load_options(options);
+  load_options.zero_outputs = false;
+  Project project = load_project(options.shader, load_options);
+  if (!options.quiet)
+    for (const std::string& warning : project.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+  return project;
+}
+
+void append(std::vector<Finding>& findings, std::vector<Finding> more) {
+  findings.insert(findings.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+std::vector<Finding> find(const Project& project) {
+  std::vector<Finding> findings = check::text_rules(project);
+  const std::vector<Finding> errors = check::compile_errors(project);
+  append(findings, errors);
+  if (errors.empty()) append(findings, check::unwritten_outputs(project));
+  return check::sorted(std::move(findings));
+}
+
+nlohmann::json to_json(const std::vector<Finding>& findings) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Finding& finding : findings)
+    list.push_back(
+        {{"file", finding.file}, {"line", finding.line}, {"kind", finding.kind}, {"text", finding.text}});
+  return list;
+}
+
+void run_check(const PlayOptions& options) {
+  const Schedule schedule = make_schedule(options);
+  const Project project = load_unchanged(options);
+  const std::vector<Finding> findings = find(project);
+  for (const Finding& finding : findings) std::printf("%s\n", check::to_line(finding).c_str());
+  if (!options.json.empty())
+    write_report(options.json, {{"frames", options.frames},
+                                {"size", {schedule.width, schedule.height}},
+                                {"findings", to_json(findings)}});
+  if (findings.empty()) return;
+  std::fflush(stdout);
+  const std::string count = std::to_string(findings.size());
+  throw Error(ExitStatus::failed, options.shader + ": " + count + (count == "1" ? " finding" : " findings"));
+}
+
+}  // namespace
+
+void add_check(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "check", "find what will not paste, not run everywhere, or is undefined: one line a finding");
+  const auto options = std::make_shared<PlayOptions>();
+  options->size = "64x36";
+  options->frames = 2;
+  add_play_options(*command, *options);
+  command->callback([options] { run_check(*options); });
+}
+
+}  // namespace shadertwin::app
