@@ -9,6 +9,7 @@
 #include "host/base/error.h"
 #include "reference/check/finding.h"
 #include "reference/check/rules.h"
+#include "reference/check/run.h"
 
 namespace shadertwin::app {
 
@@ -30,11 +31,14 @@ void append(std::vector<Finding>& findings, std::vector<Finding> more) {
   findings.insert(findings.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-std::vector<Finding> find(const Project& project) {
+std::vector<Finding> find(const Project& project, const PlayOptions& options, const Schedule& schedule) {
   std::vector<Finding> findings = check::text_rules(project);
   const std::vector<Finding> errors = check::compile_errors(project);
   append(findings, errors);
-  if (errors.empty()) append(findings, check::unwritten_outputs(project));
+  if (errors.empty()) {
+    append(findings, check::unwritten_outputs(project));
+    append(findings, check::run_checks(project, {schedule, options.frames, options.timeout}));
+  }
   return check::sorted(std::move(findings));
 }
 
@@ -49,7 +53,7 @@ nlohmann::json to_json(const std::vector<Finding>& findings) {
 void run_check(const PlayOptions& options) {
   const Schedule schedule = make_schedule(options);
   const Project project = load_unchanged(options);
-  const std::vector<Finding> findings = find(project);
+  const std::vector<Finding> findings = find(project, options, schedule);
   for (const Finding& finding : findings) std::printf("%s\n", check::to_line(finding).c_str());
   if (!options.json.empty())
     write_report(options.json, {{"frames", options.frames},

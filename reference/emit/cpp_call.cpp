@@ -87,8 +87,14 @@ CppExpressions::Text CppExpressions::builtin_call(const TIntermAggregate& node) 
     prelude_.push_back(place(whole, false).write + " = " + part + ";");
     return fraction;
   }
-  if (const Text special = special_case(node); !special.text.empty()) return special;
-  return {name + "(" + arguments(sequence) + ")", Binding::postfix};
+  // A checking twin asks what the function is given, not how a driver gets around it.
+  if (!context_.options().checks) {
+    if (const Text special = special_case(node); !special.text.empty()) return special;
+  }
+  const std::string text = name + "(" + arguments(sequence) + ")";
+  const bool samples = name.rfind("tex", 0) == 0 && node.getBasicType() == EbtFloat;
+  if (context_.options().checks && samples) return {"sampled__(" + text + ")", Binding::postfix};
+  return {text, Binding::postfix};
 }
 
 // GLSL copies out and inout arguments in and out. A reference can't be told from that unless the function can

@@ -229,10 +229,23 @@ CppExpressions::Text CppExpressions::arithmetic(TOperator op, const TIntermTyped
     return {std::string(function) + "(" + left_text.text + ", " + right_text.text + ")", Binding::postfix};
   if (op == EOpDiv && left.isMatrix() && right.isMatrix())  // GLM multiplies by the inverse
     return {"divide(" + left_text.text + ", " + right_text.text + ")", Binding::postfix};
+  if (needs_division_check(op, left, right))
+    return {"checked_divide(" + left_text.text + ", " + right_text.text + ")", Binding::postfix};
   BinaryOperator sign = binary_operator(op);
   if (op == EOpLogicalXor) sign = binary_operator(EOpNotEqual);
   return {left_text.at_least(sign.binding) + ' ' + sign.sign + ' ' + right_text.at_least(above(sign.binding)),
           sign.binding};
+}
+
+bool CppExpressions::needs_division_check(TOperator op, const TIntermTyped& left,
+                                          const TIntermTyped& right) const {
+  if (!context_.options().checks || op != EOpDiv || left.getBasicType() != EbtFloat) return false;
+  const TIntermConstantUnion* constant = right.getAsConstantUnion();
+  if (constant == nullptr) return true;
+  for (int i = 0; i < constant->getConstArray().size(); ++i) {
+    if (constant->getConstArray()[i].getDConst() == 0) return true;
+  }
+  return false;
 }
 
 // Whether evaluating an l-value does, or depends on, what evaluating `right` shows. GLSL finds the place
@@ -277,8 +290,9 @@ CppExpressions::Text CppExpressions::assignment(const TIntermBinary& node, bool 
   std::string sign = op.sign;
   // C++ has no such operator on the two types, or not with GLSL's meaning: say it as left = left op right.
   const bool spelled_out =
-      op.plain != EOpNull && (integer_function(op.plain, left, right) != nullptr ||
-                              (right.isMatrix() && op.plain != EOpAdd && op.plain != EOpSub));
+      op.plain != EOpNull &&
+      (integer_function(op.plain, left, right) != nullptr || needs_division_check(op.plain, left, right) ||
+       (right.isMatrix() && op.plain != EOpAdd && op.plain != EOpSub));
   if (spelled_out) {
     right_text = arithmetic(op.plain, left, right, {target.read, Binding::postfix}, right_text);
     sign = "=";

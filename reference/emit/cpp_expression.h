@@ -50,6 +50,9 @@ class CppExpressions {
   Text arithmetic(const glslang::TIntermBinary& node);
   Text arithmetic(glslang::TOperator op, const glslang::TIntermTyped& left,
                   const glslang::TIntermTyped& right, const Text& left_text, const Text& right_text);
+  // Whether `left / right` is a division of floats that a checking twin looks at.
+  bool needs_division_check(glslang::TOperator op, const glslang::TIntermTyped& left,
+                            const glslang::TIntermTyped& right) const;
   Text index(const glslang::TIntermBinary& node);
   Text component(const Swizzle& swizzle);
   Text assignment(const glslang::TIntermBinary& node, bool wants_value);

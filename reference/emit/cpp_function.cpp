@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "reference/emit/operators.h"
+
 namespace shadertwin::emit {
 
 using namespace glslang;
@@ -26,6 +28,11 @@ std::string joined_initialisers(const std::vector<CppLine>& lines) {
     }
   }
   return text;
+}
+
+// What twin::Checks can look at.
+bool is_plain_value(const TType& type) {
+  return !type.isArray() && !type.isStruct() && type.getBasicType() != EbtVoid;
 }
 
 }  // namespace
@@ -68,6 +75,7 @@ std::vector<CppLine> CppFunction::lines() {
   at(*function_.definition);
   line(signature() + " {");
   ++depth_;
+  if (context_.options().checks) line("const Caller__ caller__(*this);");
   reset_out_parameters();
   if (function_.body != nullptr) block(*function_.body);
   const TIntermSequence* statements = function_.body != nullptr ? &function_.body->getSequence() : nullptr;
@@ -110,6 +118,23 @@ void CppFunction::line(const std::string& text) {
 
 void CppFunction::prelude() {
   for (const std::string& text : expressions_.take_prelude()) line(text);
+}
+
+std::string CppFunction::mark() const {
+  if (!context_.options().checks || source_.file < 0) return {};
+  return "mark__(" + std::to_string(source_.file) + ", " + std::to_string(source_.line) + ")";
+}
+
+void CppFunction::watch(const TType& type, const std::string& text) {
+  if (context_.options().checks && is_plain_value(type)) line("watch__(" + text + ");");
+}
+
+void CppFunction::watch(const TIntermTyped& left) {
+  if (!context_.options().checks || !is_plain_value(left.getType()) ||
+      context_.program().effects(left).writes_any())
+    return;
+  const std::string text = expressions_.value(left);
+  if (expressions_.take_prelude().empty()) watch(left.getType(), text);
 }
 
 bool CppFunction::is_pending(const TIntermSymbol& symbol) const {
@@ -192,6 +217,9 @@ bool CppFunction::is_for_loop(const Block& block) const {
 void CppFunction::statement(const TIntermNode* node) {
   if (node == nullptr) return;
   at(*node);
+  const TIntermAggregate* group = node->getAsAggregate();
+  const bool is_group = group != nullptr && group->getOp() == EOpSequence;
+  if (const std::string place = mark(); !place.empty() && !is_group) line(place + ";");
   if (const TIntermLoop* repeated = node->getAsLoopNode()) return loop(*repeated, "");
   if (const TIntermSelection* choice = node->getAsSelectionNode();
       choice != nullptr && choice->getBasicType() == EbtVoid)
@@ -220,6 +248,9 @@ void CppFunction::expression_statement(const TIntermTyped& node) {
   const std::string text = expressions_.statement(node);
   prelude();
   if (!text.empty()) line(text + ";");
+  if (const TIntermBinary* assignment = node.getAsBinaryNode();
+      assignment != nullptr && assignment_operator(assignment->getOp()).sign != nullptr)
+    watch(*assignment->getLeft());
 }
 
 void CppFunction::initialise(const TIntermSymbol& symbol, const TIntermTyped& value) {
@@ -231,6 +262,7 @@ void CppFunction::initialise(const TIntermSymbol& symbol, const TIntermTyped& va
   pending_.erase(std::find_if(pending_.begin(), pending_.end(),
                               [&](const TIntermSymbol* other) { return other->getId() == symbol.getId(); }));
   line(context_.type(symbol.getType()) + " " + name + " = " + text + ";");
+  watch(symbol.getType(), name);
 }
 
 void CppFunction::branch(const TIntermBranch& node) {
@@ -250,8 +282,11 @@ void CppFunction::branch(const TIntermBranch& node) {
       break;
   }
   if (node.getExpression() == nullptr) return line("return;");
-  const std::string text = expressions_.value(*node.getExpression());
+  std::string text = expressions_.value(*node.getExpression());
   prelude();
+  const TType& type = node.getExpression()->getType();
+  if (context_.options().checks && is_plain_value(type))
+    text = "watched__<" + context_.type(type) + ">(" + text + ")";
   line("return " + text + ";");
 }
 
@@ -316,7 +351,9 @@ void CppFunction::for_loop(const Block& wrapper) {
   const std::size_t written = lines_.size() - first_line;
   source_ = start;
   std::string initialiser =
-      joined_initialisers({lines_.begin() + static_cast<std::ptrdiff_t>(first_line), lines_.end()});
+      context_.options().checks
+          ? ""
+          : joined_initialisers({lines_.begin() + static_cast<std::ptrdiff_t>(first_line), lines_.end()});
   if (written == 0 || !initialiser.empty()) {
     lines_.resize(first_line - 1);
     --depth_;
@@ -331,12 +368,17 @@ void CppFunction::for_loop(const Block& wrapper) {
 }
 
 void CppFunction::loop(const TIntermLoop& node, const std::string& initialiser) {
-  const std::string test = node.getTest() != nullptr ? expressions_.self_contained(*node.getTest()) : "";
-  const bool guarded = context_.options().loop_guards;
+  std::string test = node.getTest() != nullptr ? expressions_.self_contained(*node.getTest()) : "";
+  if (const std::string place = mark(); !place.empty() && !test.empty())
+    test = "(" + place + ", " + test + ")";
+  const auto begin_round = [&] {
+    if (context_.options().loop_guards) line("  loop_guard();");
+    if (context_.options().checks) line("  if (round__()) stop_invocation();");
+  };
   const SourceLine start = source_;
   if (!node.testFirst()) {
     line("do {");
-    if (guarded) line("  loop_guard();");
+    begin_round();
     scoped(node.getBody());
     source_ = start;
     line("} while (" + test + ");");
@@ -351,7 +393,7 @@ void CppFunction::loop(const TIntermLoop& node, const std::string& initialiser) 
   } else {
     line("while (" + test + ") {");
   }
-  if (guarded) line("  loop_guard();");
+  begin_round();
   scoped(node.getBody());
   line("}");
 }

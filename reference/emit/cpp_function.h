@@ -45,6 +45,10 @@ class CppFunction {
   void at(const TIntermNode& node);
   void line(const std::string& text);
   void prelude();
+  // For a twin that checks: where it is, and the value that `left` has got.
+  std::string mark() const;
+  void watch(const glslang::TIntermTyped& left);
+  void watch(const glslang::TType& type, const std::string& text);
 
   CppContext& context_;
   const Function& function_;

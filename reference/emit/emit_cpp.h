@@ -10,6 +10,7 @@ namespace shadertwin {
 struct CppOptions {
   bool double_precision = false;   // constants are folded and written as double
   bool loop_guards = false;        // every loop asks whether it has to stop
+  bool checks = false;             // tells twin::Checks of its places, values and rounds
   bool initialise_locals = false;  // variables start at zero without the help of a compiler's flag
 };
 

@@ -28,6 +28,7 @@ enum class Check : int {
   inverse_of_singular,
   nan_born,       // a NaN from operands that are none
   infinity_born,  // an infinity from finite operands
+  loop_beyond_cap,
   count
 };
 
@@ -80,6 +81,8 @@ constexpr const char* describe(Check kind) {
       return "NaN from operands that are numbers";
     case Check::infinity_born:
       return "infinity from finite operands";
+    case Check::loop_beyond_cap:
+      return "loops of more than 65534 rounds in all: llvmpipe stops them there";
     case Check::count:
       break;
   }

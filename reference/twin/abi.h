@@ -7,7 +7,7 @@
 namespace shadertwin::twin {
 
 // Changes whenever a twin compiled before the change can't be run any more.
-constexpr int abi_version = 1;
+constexpr int abi_version = 2;
 
 // The value of a uniform, by name.
 struct UniformValue {
@@ -43,6 +43,23 @@ struct QuadExchange {
 using RunQuad = void (*)(void* runner, QuadExchange* exchange, void (*lane)(void* argument, int lane),
                          void* argument);
 
+// A line of the shader: an index into Project::files, -1 for the host's text, and the line from 1.
+struct CheckPlace {
+  int file = -1;
+  int line = 0;
+};
+
+// Whom a twin compiled with SHADERTWIN_CHECK tells what it finds, from any thread.
+struct CheckLog {
+  void* user = nullptr;
+  // A glsl::Check, at most once for each pixel, kind and place.
+  void (*found)(void* user, int kind, CheckPlace place, int x, int y) = nullptr;
+  // Whether value() is to be called for what the pixel computes.
+  bool (*wants_values)(void* user, int x, int y) = nullptr;
+  // A statement (no bytes), a value that it assigned or returned, or one read from a texture (no file).
+  void (*value)(void* user, int x, int y, CheckPlace place, const void* bytes, std::size_t size) = nullptr;
+};
+
 // A rectangle of pixels to draw.
 struct Request {
   const UniformValue* uniforms = nullptr;
@@ -53,6 +70,7 @@ struct Request {
   bool quads = false;            // run 2x2 pixels side by side
   RunQuad run_quad = nullptr;
   void* quad_runner = nullptr;
+  const CheckLog* log = nullptr;            // of a checking twin
   const std::atomic<bool>* stop = nullptr;  // when set, the twin returns soon and leaves pixels undrawn
 };
 

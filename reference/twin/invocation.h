@@ -7,11 +7,12 @@
 #include "reference/glsl/denormals.h"
 #include "reference/glsl/glsl.h"
 #include "reference/twin/abi.h"
+#include "reference/twin/checks.h"
 #include "reference/twin/unwritten.h"
 
 namespace shadertwin::glsl {
 
-struct Invocation {
+struct Invocation : twin::Checks {
   vec4 gl_FragCoord{};
   bool gl_FrontFacing = true;
   vec2 gl_PointCoord{};
@@ -93,6 +94,9 @@ struct Invocation {
     std::memcpy(quad_->waiting[lane_].value, &value, sizeof value);
     quad_->waiting[lane_].place = place;
     quad_->wait(quad_, lane_);
+#ifdef SHADERTWIN_CHECK
+    resume__();
+#endif
     const auto met = [&](int lane) { return (quad_->met_lanes >> lane & 1u) != 0; };
     for (int i = 0; i < 4; ++i) {
       if (met(i)) std::memcpy(static_cast<void*>(&quad.v[i]), quad_->met[i].value, sizeof value);
@@ -201,8 +205,11 @@ class PixelLoop {
         vec4(static_cast<Float>(x) + Float(0.5), static_cast<Float>(y) + Float(0.5), 0.5, 1);
     shader.quad_ = request_.quads ? &exchange_ : nullptr;
     shader.lane_ = lane;
-    if (!draw(shader)) return;
-    if (x < request_.x0 || x >= request_.x1 || y < request_.y0 || y >= request_.y1) return;
+    const bool inside = x >= request_.x0 && x < request_.x1 && y >= request_.y0 && y < request_.y1;
+#ifdef SHADERTWIN_CHECK
+    shader.start__(inside ? request_.log : nullptr, x, y);
+#endif
+    if (!draw(shader) || !inside) return;
     Float* pixel = static_cast<Float*>(request_.pixels) + (y - request_.y0) * request_.row_pitch +
                    std::ptrdiff_t{4} * (x - request_.x0);
     const vec4 color = output_(shader);

@@ -103,6 +103,7 @@ class TwinPlayerImpl final : public TwinPlayer {
     compile.debug =
         options_.stop_at && &pass == &project_.passes.at(static_cast<std::size_t>(options_.stop_at->pass));
     compile.double_precision = options_.double_precision;
+    if (options_.observer != nullptr) compile.extra_arguments = {"-DSHADERTWIN_CHECK", "-O1"};
     return compile;
   }
 
@@ -110,6 +111,7 @@ class TwinPlayerImpl final : public TwinPlayer {
     CppOptions emit;
     emit.double_precision = options_.double_precision;
     emit.loop_guards = options_.timeout > 0;
+    emit.checks = options_.observer != nullptr;
     return emit;
   }
 
@@ -150,8 +152,8 @@ class TwinPlayerImpl final : public TwinPlayer {
   }
 
   static std::string cache_key(const Project& project, const Pass& pass, const CppOptions& emit) {
-    std::string key =
-        std::string(emit.double_precision ? "double" : "float") + (emit.loop_guards ? " guarded" : "");
+    std::string key = std::string(emit.double_precision ? "double" : "float") +
+                      (emit.loop_guards ? " guarded" : "") + (emit.checks ? " checked" : "");
     for (const std::string& file : project.files) key += '\n' + file;  // #line names them
     for (const SourceLine& line : pass.source.lines)
       key += '\n' + std::to_string(line.file) + ':' + std::to_string(line.line);
@@ -226,6 +228,7 @@ class TwinPlayerImpl final : public TwinPlayer {
       picture.clear();
       std::fill(target.wide[back].begin(), target.wide[back].end(), 0.0);
     }
+    if (options_.observer != nullptr) options_.observer->begin(static_cast<int>(index), frame.index);
     const Uniforms values = uniforms_for(project_, pass, frame, {target.width, target.height}, state.sizes);
     for (int face = 0; face < target.faces; ++face) draw_face(index, values, frame, face, deadline);
     if (deadline.passed())
@@ -255,6 +258,7 @@ class TwinPlayerImpl final : public TwinPlayer {
     whole.quads = needs_quads(state);
     whole.run_quad = QuadRunner::run;
     whole.stop = &deadline.stop();
+    whole.log = options_.observer != nullptr ? &log_ : nullptr;
     const auto draw_rectangle = [&](int x0, int y0, int x1, int y1) {
       Request request = whole;
       request.x0 = x0;
@@ -284,6 +288,21 @@ class TwinPlayerImpl final : public TwinPlayer {
     });
   }
 
+  static CheckLog make_log(Observer* observer) {
+    CheckLog log;
+    log.user = observer;
+    log.found = [](void* user, int kind, CheckPlace place, int x, int y) {
+      static_cast<Observer*>(user)->found(kind, {place.file, place.line}, x, y);
+    };
+    log.wants_values = [](void* user, int x, int y) {
+      return static_cast<Observer*>(user)->wants_values(x, y);
+    };
+    log.value = [](void* user, int x, int y, CheckPlace place, const void* bytes, std::size_t size) {
+      static_cast<Observer*>(user)->value(x, y, {place.file, place.line}, bytes, size);
+    };
+    return log;
+  }
+
   static bool needs_quads(const PassState& state) {
     const Description& description = state.module->description();
     return description.uses_derivatives || (description.uses_implicit_lod && state.channels.need_lod());
@@ -298,6 +317,7 @@ class TwinPlayerImpl final : public TwinPlayer {
 
   Project project_;
   TwinOptions options_;
+  CheckLog log_ = make_log(options_.observer);
   Compiler compiler_;
   PictureLibrary pictures_;
   Keyboard keyboard_{project_.dialect};

@@ -23,6 +23,18 @@ struct Moment {
   int x = 0, y = 0;
 };
 
+// Whom a checking twin tells what it finds: from any thread, but one pass at a time.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  // A pass begins to draw a frame.
+  virtual void begin(int pass, int frame) = 0;
+  // As CheckLog in abi.h says.
+  virtual void found(int kind, SourceLine at, int x, int y) = 0;
+  virtual bool wants_values(int x, int y) = 0;
+  virtual void value(int x, int y, SourceLine at, const void* bytes, std::size_t size) = 0;
+};
+
 struct TwinOptions {
   bool double_precision = false;
   Uninitialised uninitialised = Uninitialised::zero;
@@ -31,6 +43,7 @@ struct TwinOptions {
   std::optional<Moment> stop_at;
   std::optional<Rectangle> region;  // of the last pass; what lies outside is left zero
   double timeout = 0;               // seconds for one frame; 0: none
+  Observer* observer = nullptr;     // if given, the twin checks what it does and tells
 };
 
 // float32 RGBA like Image, in double.

@@ -87,6 +87,84 @@ TEST_F(CheckCommand, AcceptsOutputsWrittenOnEveryPath) {
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 
+// Undefined operations, planted in line 4. `zero` and `none` are 0, but not to a compiler.
+struct Planted {
+  const char* name;
+  const char* statement;
+  const char* kind;
+  const char* text;
+};
+
+class CheckCatalogue : public CheckCommand, public testing::WithParamInterface<Planted> {};
+
+TEST_P(CheckCatalogue, IsFoundAtItsLine) {
+  const Planted& planted = GetParam();
+  const Outcome outcome =
+      check("", std::string("c = vec4(0.0); float zero = min(p.x, 0.0); int none = int(zero);\n") +
+                    planted.statement);
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_NE(outcome.out.find(std::string("a.glsl:4: ") + planted.kind + ": " + planted.text),
+            std::string::npos)
+      << outcome.out << outcome.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Undefined, CheckCatalogue,
+    testing::Values(
+        Planted{"PowOfANegative", "c.x = pow(p.x - 4.0, 2.0);", "undefined", "pow() of a negative base"},
+        Planted{"SqrtOfANegative", "c.x = sqrt(p.x - 4.0);", "undefined", "sqrt() of a negative"},
+        Planted{"LogOfANegative", "c.x = log(p.x - 4.0);", "undefined", "log() or log2()"},
+        Planted{"AcosBeyondOne", "c.x = acos(p.x);", "undefined", "acos()"},
+        Planted{"AsinBeyondOne", "c.x = asin(p.x);", "undefined", "asin()"},
+        Planted{"AtanOfZeros", "c.x = atan(zero, zero);", "undefined", "atan(0, 0)"},
+        Planted{"NormalizeOfZero", "c.xyz = normalize(vec3(zero));", "undefined", "normalize()"},
+        Planted{"DivisionByZero", "c.x = p.x / zero;", "undefined", "division by zero"},
+        Planted{"DivisionInPlace", "c /= zero;", "undefined", "division by zero"},
+        Planted{"IntegerDivision", "c.x = float(3 / none);", "undefined", "integer division by zero"},
+        Planted{"IndexOutOfBounds", "float a[3] = float[3](1.0, 2.0, 3.0); c.x = a[none + 3];", "undefined",
+                "index out"},
+        Planted{"ClampCrossed", "c.x = clamp(p.x, 1.0, zero);", "undefined", "clamp()"},
+        Planted{"ShiftOutOfRange", "c.x = float(1 << (none + 32));", "undefined", "shift"},
+        Planted{"ModByZero", "c.x = mod(p.x, zero);", "undefined", "mod()"},
+        Planted{"SmoothstepCrossed", "c.x = smoothstep(1.0, zero, p.x);", "undefined", "smoothstep()"},
+        Planted{"Infinity", "c.x = exp2(200.0 + p.x);", "inf", "infinity is born"},
+        Planted{"NotANumber", "float big = exp2(200.0 + p.x) - exp2(200.0 + p.x); c.x = big;", "nan",
+                "NaN is born"},
+        Planted{"EndlessLoop", "for (int i = 0; i < 70000 + none; ++i) c.x += 1.0;", "loop",
+                "loops of more than 65534"}),
+    [](const auto& planted) { return std::string(planted.param.name); });
+
+TEST_F(CheckCommand, CountsPixelsAndNamesTheFirstAndItsPass) {
+  expect_only(
+      check("", "c = vec4(p.x < 4.0 ? 0.0 : clamp(p.y, 9.0, 8.0 - p.x));", "--frames 1"),
+      "a.glsl:3: undefined: clamp() with a lower bound above the upper one (pass a, 16 pixels, first at "
+      "4,0 in frame 0)");
+}
+
+TEST_F(CheckCommand, FindsTheLineInsideAFunctionAndBehindACall) {
+  const Outcome outcome = check("float f(float x) {\n  return sqrt(x - 4.0);\n}",
+                                "c = vec4(1.0);\nfloat a = f(p.x) / (p.x - p.x);\nc.x = a;");
+  EXPECT_NE(outcome.out.find("a.glsl:2: undefined: sqrt()"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("a.glsl:6: undefined: division by zero"), std::string::npos) << outcome.out;
+}
+
+TEST_F(CheckCommand, DoesNotBlameWhoReadsANaNFromABuffer) {
+  folder.write("b.glsl", "void mainImage(out vec4 c, in vec2 p) {\n  c = vec4(exp2(200.0 + p.x));\n}\n");
+  const Outcome outcome = check("#iChannel0 \"b.glsl\"", "c = texelFetch(iChannel0, ivec2(p), 0);");
+  EXPECT_NE(outcome.out.find("b.glsl:2: inf: "), std::string::npos) << outcome.out << outcome.err;
+  EXPECT_EQ(outcome.out.find("a.glsl"), std::string::npos) << outcome.out;
+}
+
+TEST_F(CheckCommand, NamesTheLineThatUsesAnUnwrittenVariable) {
+  expect_only(check("", "float a;\nif (p.x > 4.0) a = 1.0;\nfloat b = 2.0;\nc = vec4(a + b);"),
+              "a.glsl:6: uninitialised: a value that was never written is used (pass a, 16 pixels");
+}
+
+TEST_F(CheckCommand, NamesTheConditionThatAnUnwrittenVariableDecides) {
+  expect_only(check("", "float a;\nif (p.x > 4.0) a = 1.0;\nc = vec4(0.0);\nif (a < -1.0)\n  c = vec4(1.0);"),
+              "a.glsl:6: uninitialised: ");
+}
+
 TEST_F(CheckCommand, WritesItsFindingsAsJson) {
   const Outcome outcome = check("float my__name = 1.0;", "c = vec4(my__name);", "--json r.json");
   EXPECT_EQ(outcome.status, 1);
@@ -96,6 +174,19 @@ TEST_F(CheckCommand, WritesItsFindingsAsJson) {
   EXPECT_EQ(report["findings"][0]["line"], 1);
   EXPECT_EQ(report["findings"][0]["kind"], "webgl2");
 }
+
+class CheckScenes : public testing::TestWithParam<int> {};
+
+TEST_P(CheckScenes, AreClean) {
+  const ScratchFolder folder;
+  const Outcome outcome =
+      run(folder, "check '" SHADERTWIN_SOURCE_DIR "/shadertoy/image.glsl' --size 32x18 -D SCENE=" +
+                      std::to_string(GetParam()));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(PathTracer, CheckScenes, testing::Range(0, 5));
 
 TEST_F(CheckCommand, KeepsOtherExitStatuses) {
   EXPECT_EQ(run(folder, "check missing.glsl").status, 4);
