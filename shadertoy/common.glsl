@@ -1400,7 +1400,7 @@ QuadLight createQuadLight(Quad quad, vec3 color)
 // Uniform on the light.
 vec3 sampleQuadLight(QuadLight ql, vec2 xi)
 {
-    return ql.corner + (xi.x * ql.edge1 + xi.y * ql.edge2);
+    return (ql.corner + xi.x * ql.edge1) + xi.y * ql.edge2;
 }
 
 // Density per solid angle of a uniform point, seen from a point at toLight's start. 0 from behind and edge on.

@@ -60,7 +60,8 @@ const Backend& OnEveryBackend::backend() const {
 namespace {
 
 std::uint32_t bits(float value) {
-  // NaN is NaN: which of them is left to the machine.
+  // NaN is NaN, whichever; and 0 is 0: Mesa leaves out sums with 0, which turn -0 into 0.
+  if (value == 0.0F) return 0;
   return std::isnan(value) ? 0x7fc00000U : std::bit_cast<std::uint32_t>(value);
 }
 

@@ -56,6 +56,11 @@ class OnEveryBackend : public testing::TestWithParam<std::string> {
   INSTANTIATE_TEST_SUITE_P(, suite, testing::ValuesIn(backend_names()), \
                            [](const testing::TestParamInfo<std::string>& i) { return i.param; })
 
+// For tests of many variants of a shader: a twin takes seconds to compile each.
+#define SHADERTWIN_ON_FIRST_BACKEND(suite)                                    \
+  INSTANTIATE_TEST_SUITE_P(, suite, testing::Values(backend_names().front()), \
+                           [](const testing::TestParamInfo<std::string>& i) { return i.param; })
+
 std::vector<std::string> backend_names();
 
 }  // namespace shadertwin

@@ -10,7 +10,7 @@ namespace shadertwin {
 namespace {
 
 class Furnace : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Furnace);
+SHADERTWIN_ON_FIRST_BACKEND(Furnace);
 
 enum Type { diffuse, metal, dielectric, conductor, plastic };
 const std::vector<double> roughnesses = {0, .05, .1, .2, .3, .4, .5, .6, .7, .8, .9, 1};

@@ -1,10 +1,12 @@
 // A ray through a glass ball of radius 1 around the origin, with a concentric ball in it. Whatever can be refracted is.
-// x: ray origin, direction, (index, inner radius or 0, absorption). y: (direction, length of the way through glass),
+// x: ray origin, (direction, 0), (index, inner radius or 0, absorption, 1). y: (direction, length of the way through glass),
 // (attenuation, surfaces met), (where the last ray starts, total reflections from within the glass at the outer ball).
 #include "../../shadertoy/common.glsl"
 
 void probe(uint index, vec4 x[INPUTS], inout vec4 y[OUTPUTS])
 {
+    // Centre and radius come from the inputs: compilers move literals through sums, and a scene has none there.
+    vec3 middle = x[1].www;
     Ray ray = createRay(x[0].xyz, x[1].xyz, 0.0);
     float way = 0.0;
     float surfaces = 0.0;
@@ -13,8 +15,8 @@ void probe(uint index, vec4 x[INPUTS], inout vec4 y[OUTPUTS])
     for (int i = 0; i < 12; i++) {
         HitRecord rec;
         rec.t = FAR;
-        bool outer = hit_sphere(createSphere(vec3(0.0), 1.0), ray, T_MIN, FAR, rec);
-        bool inner = x[2].y != 0.0 && hit_sphere(createSphere(vec3(0.0), x[2].y), ray, T_MIN, rec.t, rec);
+        bool outer = hit_sphere(createSphere(middle, x[2].w), ray, T_MIN, FAR, rec);
+        bool inner = x[2].y != 0.0 && hit_sphere(createSphere(middle, x[2].y), ray, T_MIN, rec.t, rec);
         if (!outer && !inner) {
             break;
         }

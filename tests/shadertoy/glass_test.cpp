@@ -24,7 +24,7 @@ Table parallel_rays(const std::vector<double>& impacts, double index, double inn
   for (std::size_t i = 0; i < impacts.size(); ++i) {
     inputs.at(i, 0) = texel({-5, impacts[i], 0});
     inputs.at(i, 1) = texel({1, 0, 0});
-    inputs.at(i, 2) = texel({index, inner, absorption});
+    inputs.at(i, 2) = texel({index, inner, absorption}, 1);
   }
   return inputs;
 }
@@ -81,7 +81,7 @@ TEST_P(Glass, SolidBallsBendEveryRayAsTheClosedFormSays) {
     const glm::dvec3 side = random_across(random, d);
     inputs.at(i, 0) = texel(impact * side - random.uniform(1.5, 5.0) * d);
     inputs.at(i, 1) = texel(d);
-    inputs.at(i, 2) = texel({random.uniform(1.01, 2.5), 0, 0});
+    inputs.at(i, 2) = texel({random.uniform(1.01, 2.5), 0, 0}, 1);
   }
   const Table got = run(ball, inputs);
   Bar bend("solid ball, deviation");
@@ -145,7 +145,7 @@ TEST_P(Glass, IndexOneIsNotThere) {
     const glm::dvec3 d = random_direction(random);
     inputs.at(i, 0) = texel(0.99 * random.uniform() * random_across(random, d) - 3.0 * d);
     inputs.at(i, 1) = texel(d);
-    inputs.at(i, 2) = texel({1, i % 2 ? -0.5 : 0.0, 0});
+    inputs.at(i, 2) = texel({1, i % 2 ? -0.5 : 0.0, 0}, 1);
   }
   const Table got = run(ball, inputs);
   Bar bar("ball of index 1, change of direction");

@@ -8,7 +8,9 @@ namespace shadertwin {
 namespace {
 
 class RayColor : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(RayColor);
+SHADERTWIN_ON_FIRST_BACKEND(RayColor);
+class Paths : public OnEveryBackend {};
+SHADERTWIN_ON_EVERY_BACKEND(Paths);
 
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
@@ -193,6 +195,22 @@ TEST_P(RayColor, StrategiesAndRouletteAgreeInTheCornellBox) {
           return sum;
         }());
   }
+}
+
+TEST_P(Paths, OfAFurnaceAndOfTheCornellBoxAreTheSameEverywhere) {
+  const Outcome furnace = look(RUN, from_inside(137, 64, 8), 0,
+                               {{"ROOM", "1"}, {"SAMPLES", "8"}, {"ALBEDO", "0.5"}, {"MAX_BOUNCES", "60"}});
+  expect_mean("furnace", all(furnace.means), 2.0, 1e-5);
+  Random random(138);
+  Views views{.rays = {}, .batches = 8};
+  for (int i = 0; i < 64; ++i)
+    views.rays.emplace_back(
+        glm::dvec3(0, 3, 11),
+        glm::dvec3(random.uniform(-3.5, 3.5), random.uniform(0.3, 5.5), -2) - glm::dvec3(0, 3, 11));
+  const Outcome box = look(RUN, views, 0, {{"ROOM", "9"}, {"SAMPLES", "4"}, {"MAX_BOUNCES", "8"}});
+  EXPECT_EQ(box.bad, 0.0);
+  EXPECT_GE(box.least, 0.0);
+  EXPECT_GT(all(box.means).value, 0.1);
 }
 
 }  // namespace

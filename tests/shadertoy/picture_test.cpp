@@ -13,7 +13,9 @@ namespace shadertwin {
 namespace {
 
 class Pictures : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Pictures);
+SHADERTWIN_ON_FIRST_BACKEND(Pictures);
+class Scenes : public OnEveryBackend {};
+SHADERTWIN_ON_EVERY_BACKEND(Scenes);
 
 using Defines = std::vector<std::pair<std::string, std::string>>;
 constexpr const char* shader = "../../shadertoy/image.glsl";
@@ -93,7 +95,7 @@ void expect_clean(const Image& image, int samples, const std::string& name) {
   EXPECT_EQ(dropped, 0.0) << name << ": samples that are no numbers";
 }
 
-TEST_P(Pictures, EveryScenesSamplesAreNumbers) {
+TEST_P(Scenes, EverySampleIsANumber) {
   for (int scene = 0; scene < scenes; ++scene)
     expect_clean(play({.file = shader,
                        .width = 32,

@@ -6,6 +6,7 @@
 
 #include "host/gl/gl_player.h"
 #include "host/player/fixed_clock.h"
+#include "reference/twin/twin_player.h"
 #include "tests/scratch_folder.h"
 
 namespace shadertwin {
@@ -84,6 +85,13 @@ Table run(const Backend& backend, const Probe& probe, std::size_t cases, const f
 const std::vector<Backend>& backends() {
   static const std::vector<Backend> all = {
       {"gl", [](const Project& project) { return gl::GlPlayer::create(gl::open_context("egl"), project); }},
+      {"cpu", [](const Project& project) { return twin::TwinPlayer::create(project); }},
+      {"cpu_double",
+       [](const Project& project) {
+         twin::TwinOptions options;
+         options.double_precision = true;
+         return twin::TwinPlayer::create(project, options);
+       }},
   };
   return all;
 }

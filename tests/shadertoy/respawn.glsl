@@ -6,9 +6,8 @@
 void probe(uint index, vec4 x[INPUTS], inout vec4 y[OUTPUTS])
 {
     Ray ray = createRay(x[0].xyz, x[1].xyz, 0.0);
-    HitRecord rec;
-    HitRecord again;
-    again.t = -7.0;
+    HitRecord rec = HitRecord(vec3(-7.0), vec3(0.0, 1.0, 0.0), -7.0, createDiffuseMaterial(vec3(0.0)), -1);
+    HitRecord again = rec;
     bool first = false;
     bool second = false;
     if (iFrame == 0) {

@@ -1,5 +1,5 @@
 // Materials. x: (direction of the ray, type), (normal, roughness), (color, index), xi or a direction, (absorption or
-// edge tint, length of the way here). The surface is at (1, 2, 3).
+// edge tint), origin of the ray. The surface is at (1, 2, 3).
 // Functions: 0 scatter. y: (attenuation, 1 if the path goes on), (direction, pdf), new origin - surface.
 // 1 evaluateBsdf towards x[3]. y: (BRDF times cosine, pdf), (albedo of the gloss, its probability, its mean).
 #include "../../shadertoy/common.glsl"
@@ -11,8 +11,8 @@ void probe(uint index, vec4 x[INPUTS], inout vec4 y[OUTPUTS])
     vec3 d = x[0].xyz;
     vec3 pos = vec3(1.0, 2.0, 3.0);
     if (iFrame == 0) {
-        Ray ray = createRay(pos - x[4].w * d, d, 0.25);
-        HitRecord rec = HitRecord(pos, x[1].xyz, x[4].w, m, -1);
+        Ray ray = createRay(x[5].xyz, d, 0.25);
+        HitRecord rec = HitRecord(pos, x[1].xyz, 1.0, m, -1);
         vec3 attenuation = vec3(0.0);
         Ray next = ray;
         float pdf = -1.0;

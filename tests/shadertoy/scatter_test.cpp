@@ -19,7 +19,7 @@ enum Type { diffuse, metal, dielectric, conductor, plastic };
 
 Probe probe(int function, std::vector<std::pair<std::string, std::string>> defines = {}) {
   return {
-      .file = "scatter.glsl", .function = function, .inputs = 5, .outputs = 3, .defines = std::move(defines)};
+      .file = "scatter.glsl", .function = function, .inputs = 6, .outputs = 3, .defines = std::move(defines)};
 }
 
 struct Case {
@@ -33,21 +33,22 @@ struct Case {
   double way = 1;
 };
 
+glm::dvec3 vec(const glm::vec4& v) {
+  return glm::dvec3(v);
+}
+
 Table table_of(const std::vector<Case>& cases) {
-  Table inputs(cases.size(), 5);
+  Table inputs(cases.size(), 6);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Case& c = cases[i];
     inputs.at(i, 0) = texel(glm::normalize(c.direction), c.type);
     inputs.at(i, 1) = texel(glm::normalize(c.normal), c.roughness);
     inputs.at(i, 2) = texel(c.color, c.index);
     inputs.at(i, 3) = glm::vec4(c.xi);
-    inputs.at(i, 4) = texel(c.extra, c.way);
+    inputs.at(i, 4) = texel(c.extra);
+    inputs.at(i, 5) = texel(glm::dvec3(1, 2, 3) - c.way * vec(inputs.at(i, 0)));
   }
   return inputs;
-}
-
-glm::dvec3 vec(const glm::vec4& v) {
-  return glm::dvec3(v);
 }
 
 glm::dvec4 random_xi(Random& random) {
