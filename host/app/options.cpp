@@ -72,6 +72,12 @@ void add_load_options(CLI::App& command, PlayOptions& o) {
       "play the shader as GLSL ES 3.20 with every computation precise: a GPU's compiler then keeps to "
       "the operations that the text states, as the CPU twin does");
   command.add_option("--seed", o.seed, "the same as -D SEED=N: another stream of random numbers");
+  command.add_option("--media", o.media, "the folder that holds the pictures a Shadertoy JSON names");
+  command
+      .add_option("--dialect", o.dialect,
+                  "whose rules hold: shadertoy or vscode (by default a file's are vscode's, a folder's and a "
+                  "JSON's shadertoy.com's)")
+      ->check(CLI::IsMember({"shadertoy", "vscode"}));
   command.add_flag("--quiet", o.quiet, "no warnings and no progress bar");
 }
 
@@ -149,6 +155,8 @@ Schedule make_schedule(const PlayOptions& o) {
 
 LoadOptions make_load_options(const PlayOptions& o) {
   LoadOptions load_options;
+  load_options.media = o.media;
+  if (!o.dialect.empty()) load_options.dialect = o.dialect == "vscode" ? Dialect::vscode : Dialect::shadertoy;
   auto defines = o.defines;
   if (!o.seed.empty()) {
     unsigned seed = 0;

@@ -22,6 +22,8 @@ struct PlayOptions {
   std::vector<std::string> keys;
   std::vector<std::string> defines;
   std::string pass;
+  std::string media;
+  std::string dialect;
   std::string json;
   std::string tile;
   double timeout = 0.0;

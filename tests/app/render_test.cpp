@@ -104,6 +104,30 @@ TEST_F(Render, PassShowsABuffer) {
   EXPECT_NE(wrong.err.find("Buffer A, Image"), std::string::npos) << wrong.err;
 }
 
+TEST_F(Render, JsonTakesItsPicturesFromTheMediaFolder) {
+  Image picture(1, 1);
+  picture.rgba = {0.25F, 0.5F, 0.75F, 1.0F};
+  folder.write("media/a/.keep", "");
+  write_image(picture, folder / "media/a/p.exr");
+  folder.write("p.json", R"({"Shader": {"ver": "0.1", "info": {"id": "x", "name": "n"}, "renderpass": [
+    {"inputs": [{"id": 1, "src": "/a/p.exr", "ctype": "texture", "channel": 0, "published": 1,
+                 "sampler": {"filter": "nearest", "wrap": "clamp", "vflip": "true"}}],
+     "outputs": [{"id": 37, "channel": 0}], "name": "Image", "type": "image",
+     "code": "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(0), 0); }"}]}})");
+  const Outcome outcome = run(folder, "render p.json --media media --size 2x2 -o a.exr");
+  ASSERT_EQ(outcome.err, "");
+  EXPECT_EQ(read_image(folder / "a.exr").rgba[1], 0.5F);
+}
+
+TEST_F(Render, DialectDecidesWhoseAlphaHolds) {
+  folder.write("half.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(.5); }");
+  ASSERT_EQ(run(folder, "render half.glsl --size 2x2 -o a.exr").err, "");
+  EXPECT_EQ(read_image(folder / "a.exr").rgba[3], 0.5F);
+  ASSERT_EQ(run(folder, "render half.glsl --dialect shadertoy --size 2x2 -o b.exr").err, "");
+  EXPECT_EQ(read_image(folder / "b.exr").rgba[3], 1.0F);
+  EXPECT_EQ(run(folder, "render half.glsl --dialect glsl --size 2x2 -o c.exr").status, 2);
+}
+
 TEST_F(Render, LaterOptionsWin) {
   ASSERT_EQ(
       run(folder, "render wave.glsl --size 64x36 --frames 9 -o a.png --size 8x4 --frames 2 -o b.png").err,
