@@ -60,7 +60,8 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord)
 
     vec3 before = fresh ? CAMERA_ORBIT.xyz : orbit.xyz;
     vec3 after = fresh ? before : moveCamera(before, drag, down, iTimeDelta);
-    bool moved = resized || after != before || (fresh && iFrame != 0);
+    // More than a float rounds: where the arithmetic is double, what was stored comes back rounded.
+    bool moved = resized || max3(abs(after - before)) > 1.0e-5 || (fresh && iFrame != 0);
 
     fragColor = vec4(0.0);
     if (texel == ivec2(0, 0)) {
