@@ -84,6 +84,8 @@ Frame FixedClock::next() {
   frame.date = shader_date(schedule_.date, elapsed);
   frame.mouse = mouse_.next_frame();
   frame.mouse_button.x = mouse_.down() ? 1.0F : 0.0F;
+  camera_.step(keyboard_, mouse_.look());
+  frame.view = camera_.matrix();
   frame.keyboard = keyboard_.rows();
   keyboard_.end_frame();
   ++index_;

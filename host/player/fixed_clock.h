@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "host/player/fly_camera.h"
 #include "host/player/frame.h"
 #include "host/player/keyboard.h"
 #include "host/player/mouse.h"
@@ -59,6 +60,7 @@ class FixedClock {
   Schedule schedule_;
   Mouse mouse_;
   Keyboard keyboard_;
+  FlyCamera camera_;
   int index_ = 0;
 };
 

@@ -19,6 +19,7 @@ struct Frame {
   glm::vec4 date{0.0F};      // year, month from 0, day from 1, seconds since midnight
   glm::vec4 mouse{0.0F};     // iMouse, as the shader sees it
   glm::vec4 mouse_button{0.0F};
+  glm::mat4 view{1.0F};  // iViewMatrix where the project has first person controls
   // One byte a key code (the browser's legacy keyCode), 0 or 255. Rows: held, pressed, toggled, released.
   std::array<std::uint8_t, std::size_t{256} * 4> keyboard{};
   // Values of Project::uniforms, in their order. Empty: those that the project gives.

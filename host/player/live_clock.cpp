@@ -44,6 +44,7 @@ void LiveClock::step() {
 void LiveClock::reset() {
   first_ = true;
   forced_ = stepped_ = false;
+  camera_ = FlyCamera();
   time_ = settings_.t0;
   index_ = fixed_index_ = -1;
 }
@@ -97,6 +98,8 @@ Frame LiveClock::next(const Moment& now, glm::ivec2 size) {
       settings_.date ? shader_date(*settings_.date, time_ - settings_.t0) : shader_date(now.date, 0.0);
   frame.mouse = mouse_.next_frame();
   frame.mouse_button = {buttons_.x ? 1.0F : 0.0F, buttons_.y ? 1.0F : 0.0F, 0.0F, 0.0F};
+  if (!still) camera_.step(keyboard_, mouse_.look());
+  frame.view = camera_.matrix();
   frame.keyboard = keyboard_.rows();
   keyboard_.end_frame();
 

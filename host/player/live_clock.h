@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "host/player/fixed_clock.h"
+#include "host/player/fly_camera.h"
 #include "host/player/frame.h"
 #include "host/player/keyboard.h"
 #include "host/player/mouse.h"
@@ -45,7 +46,7 @@ class LiveClock {
   void force() { forced_ = true; }
   // Pauses, and asks for one more frame, later by 1 / rate (1/60 without one).
   void step();
-  // Goes back to frame 0 at t0. Key toggles and the mouse stay.
+  // Goes back to frame 0 at t0, and with the camera to where it started. Key toggles and the mouse stay.
   void reset();
   // What a changed shader or size means: shadertoy.com goes on, the extension counts frames from 0 again (its
   // time goes on).
@@ -72,6 +73,7 @@ class LiveClock {
   Dialect dialect_;
   Mouse mouse_;
   Keyboard keyboard_;
+  FlyCamera camera_;
   glm::bvec2 buttons_{false};
   std::optional<double> recording_;
   bool first_ = true;     // nothing was drawn since the start or a reset

@@ -13,15 +13,19 @@ glm::vec2 to_pixel(glm::dvec2 position, glm::ivec2 size) {
 
 void Mouse::press(glm::dvec2 position, glm::ivec2 size) {
   position_ = pressed_at_ = to_pixel(position, size);
+  look_ = glm::dvec2(0.0);
   down_ = pressed_ = true;
 }
 
 void Mouse::move(glm::dvec2 position, glm::ivec2 size) {
-  if (down_) position_ = to_pixel(position, size);
+  if (!down_) return;
+  position_ = to_pixel(position, size);
+  look_ = 2.0 * position / glm::dvec2(size) - 1.0;
 }
 
 void Mouse::release() {
   down_ = false;
+  look_ = glm::dvec2(0.0);
 }
 
 glm::vec4 Mouse::next_frame() {

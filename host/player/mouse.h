@@ -13,6 +13,9 @@ class Mouse {
   void move(glm::dvec2 position, glm::ivec2 size);  // counts only while a button is down
   void release();
   bool down() const { return down_; }
+  // Where a held mouse has been dragged to, from the picture's centre (0, 0) to its corners (-1, -1) and (1,
+  // 1); zero until it moves, and when it is let go.
+  glm::dvec2 look() const { return look_; }
 
   // xy: where the mouse was last dragged to. zw: where it was pressed; z is positive while it is down, and w
   // is positive only on the first frame after the press (also when the release came before that frame).
@@ -21,6 +24,7 @@ class Mouse {
  private:
   glm::vec2 position_{0.0F};
   glm::vec2 pressed_at_{0.0F};
+  glm::dvec2 look_{0.0};
   bool down_ = false;
   bool pressed_ = false;  // since the last frame
 };

@@ -52,7 +52,7 @@ Uniforms uniforms_for(const Project& project, const Pass& pass, const Frame& fra
     audio = audio || pass.inputs[i].kind == InputKind::music || pass.inputs[i].kind == InputKind::microphone;
   }
   u.iSampleRate = audio ? 44100.0F : 0.0F;
-  u.iViewMatrix = glm::mat4(1.0F);
+  u.iViewMatrix = project.first_person_controls ? frame.view : glm::mat4(1.0F);
   return u;
 }
 

@@ -34,7 +34,8 @@ void Playing::put_on(Loaded loaded) {
   project_ = std::move(loaded.project);
   stage_ = std::move(loaded.stage);
   uniforms_.declare(project_.uniforms);
-  accumulates_ = hears_keyboard_ = hears_mouse_ = false;
+  accumulates_ = false;
+  hears_keyboard_ = hears_mouse_ = project_.first_person_controls;
   for (std::size_t reader = 0; reader < project_.passes.size(); ++reader) {
     const Pass& pass = project_.passes[reader];
     hears_keyboard_ = hears_keyboard_ || pass.keyboard;
