@@ -10,12 +10,13 @@ namespace shadertwin::app {
 
 namespace {
 
-std::unique_ptr<Player> open_gl(const std::string& on, const Project& project, bool quiet) {
+std::unique_ptr<Player> open_gl(const std::string& on, const Project& project, const PlayOptions& play) {
   const std::string device = on.substr(0, on.find('/'));
   gl::PlayerOptions options;
   options.dispatch = dispatch_of(on);
+  options.rewrite = rewrite_for_gl(play);
   auto player = gl::GlPlayer::create(gl::open_context(device), project, options);
-  if (!quiet)
+  if (!play.quiet)
     for (const std::string& warning : player->warnings()) std::fprintf(stderr, "%s\n", warning.c_str());
   return player;
 }
@@ -53,7 +54,7 @@ std::unique_ptr<Player> open_player(const std::string& on, const Project& projec
   if (device == "cpu") return open_twin(how, project, options);
   if (!options.tile.empty() || options.timeout > 0.0)
     throw Error(ExitStatus::usage, "--tile and --timeout are for --on cpu only");
-  return open_gl(on, project, options.quiet);
+  return open_gl(on, project, options);
 }
 
 }  // namespace shadertwin::app

@@ -111,9 +111,10 @@ class GlPlayerImpl final : public GlPlayer {
     for (const GLenum target : {GL_TEXTURE_2D, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_3D})
       unbound_[target] = make_unbound(gl_, target);
     passes_.resize(project_.passes.size());
+    const Project rewritten = options.rewrite ? options.rewrite(project_) : Project();
     for (std::size_t i = 0; i < passes_.size(); ++i) {
       if (project_.passes[i].kind == PassKind::sound) continue;
-      compile(i, options.dispatch);
+      compile(i, options.rewrite ? &rewritten.passes[i] : nullptr, options.dispatch);
       bind_inputs(i);
     }
     const auto history = passes_with_history(project_);
@@ -205,8 +206,7 @@ class GlPlayerImpl final : public GlPlayer {
   }
 
  private:
-  void compile(std::size_t index, Dispatch dispatch) {
-    const Pass& pass = project_.passes[index];
+  void make_program(std::size_t index, const Pass& pass, Dispatch dispatch) {
     PassState& state = passes_[index];
     const DeviceInfo& device = context_->info();
     if (dispatch == Dispatch::automatic)
@@ -219,6 +219,19 @@ class GlPlayerImpl final : public GlPlayer {
     }
     state.program =
         state.compute ? Program::compute(gl_, project_, pass) : Program::fragment(gl_, project_, pass);
+  }
+
+  // rewritten: to be tried first; null if there is none.
+  void compile(std::size_t index, const Pass* rewritten, Dispatch dispatch) {
+    PassState& state = passes_[index];
+    const std::size_t warned = warnings_.size();
+    try {
+      make_program(index, rewritten != nullptr ? *rewritten : project_.passes[index], dispatch);
+    } catch (const Error& error) {
+      if (rewritten == nullptr || error.status() != ExitStatus::shader) throw;
+      warnings_.resize(warned);
+      make_program(index, project_.passes[index], dispatch);
+    }
     const Program& program = *state.program;
     gl_.UseProgram(program.name());
     for (const UniformField& field : uniform_fields())
