@@ -1,10 +1,23 @@
 #include "host/media/libav.h"
 
 #include <array>
+#include <new>
 
 namespace shadertwin::media {
 
 namespace fs = std::filesystem;
+
+FramePointer make_frame() {
+  FramePointer frame(av_frame_alloc());
+  if (!frame) throw std::bad_alloc();
+  return frame;
+}
+
+PacketPointer make_packet() {
+  PacketPointer packet(av_packet_alloc());
+  if (!packet) throw std::bad_alloc();
+  return packet;
+}
 
 std::string words_for(int error) {
   std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};

@@ -29,7 +29,15 @@ using CodecContext = std::unique_ptr<AVCodecContext, FreeAt<avcodec_free_context
 using FramePointer = std::unique_ptr<AVFrame, FreeAt<av_frame_free>>;
 using PacketPointer = std::unique_ptr<AVPacket, FreeAt<av_packet_free>>;
 using Resampler = std::unique_ptr<SwrContext, FreeAt<swr_free>>;
+struct FreeScaler {
+  void operator()(SwsContext* scaler) const { sws_freeContext(scaler); }
+};
+using Scaler = std::unique_ptr<SwsContext, FreeScaler>;
 using InputFormat = std::unique_ptr<AVFormatContext, FreeAt<avformat_close_input>>;
+
+// Both throw std::bad_alloc.
+FramePointer make_frame();
+PacketPointer make_packet();
 
 // libav's own words for one of its negative return values.
 std::string words_for(int error);
