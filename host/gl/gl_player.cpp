@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 
 #include "host/base/error.h"
+#include "host/gl/channel_textures.h"
 #include "host/gl/objects.h"
 #include "host/gl/pass_timers.h"
 #include "host/gl/program.h"
@@ -82,9 +82,9 @@ struct Target {
 
 struct Channel {
   GLuint unit = 0;
-  const Input* input = nullptr;
+  int pass = -1;  // that it reads
   SamplerObject sampler;
-  BoundTexture fixed;  // for everything but passes
+  ChannelTexture fixed;  // for everything but passes
 };
 
 struct PassState {
@@ -107,14 +107,10 @@ class GlPlayerImpl final : public GlPlayer {
     vertex_array_ = VertexArrayObject(gl_);
     gl_.BindVertexArray(vertex_array_.name());
     gl_.Disable(GL_DITHER);
-    nearest_ = make_sampler(gl_, nearest);
-    for (const GLenum target : {GL_TEXTURE_2D, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_3D})
-      unbound_[target] = make_unbound(gl_, target);
     passes_.resize(project_.passes.size());
-    const Project rewritten = options.rewrite ? options.rewrite(project_) : Project();
     for (std::size_t i = 0; i < passes_.size(); ++i) {
       if (project_.passes[i].kind == PassKind::sound) continue;
-      compile(i, options.rewrite ? &rewritten.passes[i] : nullptr, options.dispatch);
+      compile(i, options.dispatch);
       bind_inputs(i);
     }
     const auto history = passes_with_history(project_);
@@ -136,7 +132,7 @@ class GlPlayerImpl final : public GlPlayer {
     context_->make_current();
     resize({frame.width, frame.height});
     if (frame.index == 0) clear();
-    upload_keyboard(frame);
+    textures_.update(frame);
     for (std::size_t i = 0; i < passes_.size(); ++i) {
       if (project_.passes[i].kind == PassKind::sound) continue;
       if (timers_) timers_->begin(i);
@@ -164,6 +160,22 @@ class GlPlayerImpl final : public GlPlayer {
     return image;
   }
 
+  Image sound_block(int block, const glm::vec4& date) override {
+    context_->make_current();
+    const int pass = find_sound(project_);
+    if (pass < 0) throw Error(ExitStatus::usage, "the shader has no Sound pass (mainSound)");
+    const auto index = static_cast<std::size_t>(pass);
+    PassState& state = passes_[index];
+    if (!state.program) {
+      compile(index, Dispatch::fragment);
+      bind_inputs(index);
+      state.target.size = glm::ivec2(sound_block_side);
+      make_picture(state.target, 0, state.target.size);
+    }
+    draw(index, uniforms_for_sound(block, date, state.sizes), {});
+    return read(pass);
+  }
+
   void finish() override {
     context_->make_current();
     gl_.Finish();
@@ -180,7 +192,11 @@ class GlPlayerImpl final : public GlPlayer {
     return target.textures[target.front].name();
   }
   Context& context() override { return *context_; }
-  const std::vector<std::string>& warnings() const override { return warnings_; }
+  std::vector<std::string> warnings() const override {
+    std::vector<std::string> all = warnings_;
+    all.insert(all.end(), textures_.warnings().begin(), textures_.warnings().end());
+    return all;
+  }
 
   void continue_from(GlPlayer& earlier) override {
     auto& old = static_cast<GlPlayerImpl&>(earlier);
@@ -192,7 +208,7 @@ class GlPlayerImpl final : public GlPlayer {
       if (index < 0) continue;
       const Target& source = old.passes_[static_cast<std::size_t>(index)].target;
       Target& target = passes_[i].target;
-      if (source.kind != target.kind || source.size != target.size) continue;
+      if (source.kind != target.kind || source.size != target.size || source.size.x == 0) continue;
       target.front = target.pictures == source.pictures ? source.front : 0;
       for (std::size_t picture = 0; picture < target.pictures; ++picture)
         copy(source, source.pictures == target.pictures ? picture : source.front, target, picture);
@@ -206,7 +222,8 @@ class GlPlayerImpl final : public GlPlayer {
   }
 
  private:
-  void make_program(std::size_t index, const Pass& pass, Dispatch dispatch) {
+  void compile(std::size_t index, Dispatch dispatch) {
+    const Pass& pass = project_.passes[index];
     PassState& state = passes_[index];
     const DeviceInfo& device = context_->info();
     if (dispatch == Dispatch::automatic)
@@ -219,19 +236,6 @@ class GlPlayerImpl final : public GlPlayer {
     }
     state.program =
         state.compute ? Program::compute(gl_, project_, pass) : Program::fragment(gl_, project_, pass);
-  }
-
-  // rewritten: to be tried first; null if there is none.
-  void compile(std::size_t index, const Pass* rewritten, Dispatch dispatch) {
-    PassState& state = passes_[index];
-    const std::size_t warned = warnings_.size();
-    try {
-      make_program(index, rewritten != nullptr ? *rewritten : project_.passes[index], dispatch);
-    } catch (const Error& error) {
-      if (rewritten == nullptr || error.status() != ExitStatus::shader) throw;
-      warnings_.resize(warned);
-      make_program(index, project_.passes[index], dispatch);
-    }
     const Program& program = *state.program;
     gl_.UseProgram(program.name());
     for (const UniformField& field : uniform_fields())
@@ -262,89 +266,48 @@ class GlPlayerImpl final : public GlPlayer {
     const Pass& pass = project_.passes[index];
     PassState& state = passes_[index];
     for (std::size_t i = 0; i < max_channels; ++i) {
-      const Input& input = pass.inputs[i];
-      if (state.program->uniform("iChannel" + std::to_string(i)) < 0 && input.kind == InputKind::none)
+      const Input input = bound_input(pass, i);
+      if (state.program->uniform("iChannel" + std::to_string(i)) < 0 && input.wanted() == InputKind::none)
         continue;
       Channel channel;
       channel.unit = static_cast<GLuint>(i);
-      channel.input = &input;
-      channel.sampler = make_sampler(gl_, input.sampler);
-      const Texture* loaded = nullptr;
-      switch (input.kind) {
-        case InputKind::texture:
-        case InputKind::cubemap: {
-          Picture& picture = load(input);
-          channel.fixed = {texture_target(picture.texture), picture.object.name()};
-          loaded = &picture.texture;
-          break;
-        }
-        case InputKind::keyboard:
-          need_keyboard();
-          channel.fixed = {GL_TEXTURE_2D, keyboard_.name()};
-          channel.sampler = make_sampler(gl_, nearest);
-          break;
-        case InputKind::pass:
-          break;
-        default:
-          channel.fixed = {GL_TEXTURE_2D, unbound_.at(GL_TEXTURE_2D).name()};
-          break;
+      channel.pass = input.kind == InputKind::pass ? input.pass : -1;
+      channel.sampler = make_sampler(gl_, input.kind == InputKind::keyboard ? nearest : input.sampler);
+      // What is read of a pass changes with every frame, and its size with the frame's.
+      if (input.kind != InputKind::pass) {
+        channel.fixed = textures_.load(input);
+        state.sizes[i] = channel.fixed.size;
       }
-      // Sizes of buffers follow the frame and are filled in when the targets are made.
-      if (input.kind != InputKind::pass) state.sizes[i] = channel_size(project_, input, loaded, {0, 0});
       state.channels.push_back(std::move(channel));
     }
-    if (state.program->uniform("iKeyboard") >= 0) need_keyboard();
-  }
-
-  struct Picture {
-    Texture texture;  // the texels are dropped after the upload
-    TextureObject object;
-  };
-
-  // Each file goes to the GPU once, whatever number of channels reads it.
-  Picture& load(const Input& input) {
-    const bool mipmaps = uses_mipmaps(input.sampler.min);
-    std::string key = std::string(mipmaps ? "mipmaps" : "plain") + (input.sampler.vflip ? " flipped" : "");
-    for (const auto& file : input.files) key += '\n' + file.string();
-    auto found = pictures_.find(key);
-    if (found == pictures_.end()) {
-      Picture picture{load_texture(input), {}};
-      picture.object = upload(gl_, picture.texture, mipmaps);
-      picture.texture.data = {};
-      found = pictures_.emplace(std::move(key), std::move(picture)).first;
+    if (state.program->uniform("iKeyboard") >= 0) {
+      Channel channel;
+      channel.unit = keyboard_unit;
+      channel.sampler = make_sampler(gl_, nearest);
+      channel.fixed.bound = textures_.keyboard();
+      state.channels.push_back(std::move(channel));
     }
-    return found->second;
-  }
-
-  void need_keyboard() {
-    if (keyboard_.name() != 0) return;
-    Texture blank;
-    blank.width = 256;
-    blank.height = project_.dialect == Dialect::shadertoy ? 3 : 4;
-    blank.data.resize(blank.texel_bytes() * 256 * static_cast<std::size_t>(blank.height));
-    keyboard_ = upload(gl_, blank, false);
-  }
-
-  // The site's texture has one channel (g = b = 0), the extension's is grey; alpha is 1 in both.
-  void upload_keyboard(const Frame& frame) {
-    if (keyboard_.name() == 0) return;
-    const bool site = project_.dialect == Dialect::shadertoy;
-    const int rows = site ? 3 : 4;
-    std::vector<std::uint8_t> texels;
-    texels.reserve(std::size_t{256} * 4 * 4);
-    for (std::size_t i = 0; i < std::size_t{256} * static_cast<std::size_t>(rows); ++i) {
-      const std::uint8_t value = frame.keyboard[i];
-      const std::uint8_t other = site ? std::uint8_t{0} : value;
-      texels.insert(texels.end(), {value, other, other, 255});
-    }
-    gl_.BindTexture(GL_TEXTURE_2D, keyboard_.name());
-    gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 256, rows, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
   }
 
   void attach_face(const Target& target, std::size_t picture, int face) {
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
                              static_cast<GLenum>(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face),
                              target.textures[picture].name(), 0);
+  }
+
+  // Makes one of the pictures of a target, black and transparent, and leaves it bound.
+  void make_picture(Target& target, std::size_t picture, glm::ivec2 size) {
+    target.textures[picture] = make_target(gl_, target.kind, size, target.mipmaps);
+    target.framebuffers[picture] = FramebufferObject(gl_);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffers[picture].name());
+    gl_.FramebufferTexture2D(
+        GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
+        target.kind == GL_TEXTURE_2D ? GL_TEXTURE_2D : static_cast<GLenum>(GL_TEXTURE_CUBE_MAP_POSITIVE_X),
+        target.textures[picture].name(), 0);
+    if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+      throw Error(ExitStatus::device, context_->info().name + " can't draw into float32 RGBA");
+    constexpr std::array<GLfloat, 4> zero{};
+    gl_.ClearBufferfv(GL_COLOR, 0, zero.data());
   }
 
   // New targets keep, on shadertoy.com, the old pixels from the lower left corner up.
@@ -359,34 +322,25 @@ class GlPlayerImpl final : public GlPlayer {
       if (target.kind == GL_TEXTURE_CUBE_MAP && target.size.x != 0) continue;
       const glm::ivec2 new_size = target.kind == GL_TEXTURE_CUBE_MAP ? glm::ivec2(cubemap_pass_size) : size;
       for (std::size_t picture = 0; picture < target.pictures; ++picture) {
-        TextureObject texture = make_target(gl_, target.kind, new_size, target.mipmaps);
-        FramebufferObject framebuffer(gl_);
-        gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-        gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
-                                 target.kind == GL_TEXTURE_2D
-                                     ? GL_TEXTURE_2D
-                                     : static_cast<GLenum>(GL_TEXTURE_CUBE_MAP_POSITIVE_X),
-                                 texture.name(), 0);
-        if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-          throw Error(ExitStatus::device, context_->info().name + " can't draw into float32 RGBA");
-        constexpr std::array<GLfloat, 4> zero{};
-        gl_.ClearBufferfv(GL_COLOR, 0, zero.data());
+        Target old;
+        std::swap(old.textures[picture], target.textures[picture]);
+        std::swap(old.framebuffers[picture], target.framebuffers[picture]);
+        make_picture(target, picture, new_size);
         if (target.size.x != 0 && project_.dialect == Dialect::shadertoy) {
           const glm::ivec2 common = glm::min(size, target.size);
-          gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffers[picture].name());
+          gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, old.framebuffers[picture].name());
           gl_.BlitFramebuffer(0, 0, common.x, common.y, 0, 0, common.x, common.y, GL_COLOR_BUFFER_BIT,
                               GL_NEAREST);
         }
-        target.textures[picture] = std::move(texture);
-        target.framebuffers[picture] = std::move(framebuffer);
       }
       target.size = new_size;
     }
     size_ = size;
     for (std::size_t i = 0; i < passes_.size(); ++i)
       for (const Channel& channel : passes_[i].channels)
-        if (channel.input->kind == InputKind::pass)
-          passes_[i].sizes[channel.unit] = channel_size(project_, *channel.input, nullptr, size);
+        if (channel.pass >= 0)
+          passes_[i].sizes[channel.unit] =
+              channel_size(project_, project_.passes[i].inputs[channel.unit], nullptr, size);
   }
 
   void clear() {
@@ -403,27 +357,36 @@ class GlPlayerImpl final : public GlPlayer {
   }
 
   void draw(std::size_t index, const Frame& frame) {
+    const PassState& state = passes_[index];
+    ChannelTimes times{};
+    for (const Channel& channel : state.channels)
+      if (channel.fixed.moving != nullptr && channel.unit < times.size())
+        times[channel.unit] = static_cast<float>(channel.fixed.moving->time());
+    draw(index, uniforms_for(project_, project_.passes[index], frame, state.target.size, state.sizes, times),
+         frame.uniforms);
+  }
+
+  void draw(std::size_t index, const Uniforms& values,
+            const std::vector<std::array<float, 4>>& custom_values) {
     PassState& state = passes_[index];
     Target& target = state.target;
     const std::size_t back = target.back();
     gl_.UseProgram(state.program->name());
-    const Uniforms values = uniforms_for(project_, project_.passes[index], frame, target.size, state.sizes);
     for (const UniformSlot& slot : state.uniforms)
       set_uniform(gl_, slot.location, slot.type, slot.count,
                   reinterpret_cast<const char*>(&values) + slot.offset);
     for (std::size_t i = 0; i < state.custom.size(); ++i) {
       const CustomUniform& custom = project_.uniforms[i];
-      set_custom(state.custom[i], custom.type, i < frame.uniforms.size() ? frame.uniforms[i] : custom.value);
+      set_custom(state.custom[i], custom.type, i < custom_values.size() ? custom_values[i] : custom.value);
     }
     for (const Channel& channel : state.channels) {
-      BoundTexture bound = channel.fixed;
-      if (channel.input->kind == InputKind::pass) {
-        const Target& source = passes_[static_cast<std::size_t>(channel.input->pass)].target;
+      BoundTexture bound = channel.fixed.bound;
+      if (channel.pass >= 0) {
+        const Target& source = passes_[static_cast<std::size_t>(channel.pass)].target;
         bound = {source.kind, source.textures[source.front].name()};
       }
       bind(channel.unit, bound, channel.sampler.name());
     }
-    if (keyboard_.name() != 0) bind(keyboard_unit, {GL_TEXTURE_2D, keyboard_.name()}, nearest_.name());
 
     if (state.compute) {
       gl_.BindImageTexture(compute_target_binding, target.textures[back].name(), 0, GL_FALSE, 0,
@@ -490,10 +453,7 @@ class GlPlayerImpl final : public GlPlayer {
   const Functions& gl_;
   Project project_;
   VertexArrayObject vertex_array_;
-  std::map<GLenum, TextureObject> unbound_;
-  std::map<std::string, Picture> pictures_;
-  TextureObject keyboard_;
-  SamplerObject nearest_;
+  ChannelTextures textures_{gl_, project_};
   std::vector<PassState> passes_;
   glm::ivec2 size_{0};
   std::vector<std::string> warnings_;

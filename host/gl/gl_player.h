@@ -1,7 +1,6 @@
 // Plays a project on OpenGL.
 #pragma once
 
-#include <functional>
 #include <memory>
 
 #include "host/gl/context.h"
@@ -21,9 +20,6 @@ enum class Dispatch {
 struct PlayerOptions {
   Dispatch dispatch = Dispatch::automatic;
   bool timers = false;  // measure every pass on the GPU
-  // Given the project, gives the texts to compile, if not its own: pass i in place of pass i. A text that the
-  // driver refuses falls back to the project's.
-  std::function<Project(const Project&)> rewrite = {};
 };
 
 class GlPlayer : public Player {
@@ -42,8 +38,6 @@ class GlPlayer : public Player {
   // What each pass took on the GPU when last measured, -1 before; empty without PlayerOptions::timers or
   // timer queries.
   virtual std::vector<double> milliseconds() = 0;
-  // `file:line: warning: text` lines: passes that could not run as asked for.
-  virtual const std::vector<std::string>& warnings() const = 0;
 };
 
 }  // namespace shadertwin::gl

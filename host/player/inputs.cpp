@@ -14,21 +14,31 @@ Texture load_texture(const Input& input) {
   return read_texture(input.files.front(), input.sampler.vflip);
 }
 
+Input bound_input(const Pass& pass, std::size_t channel) {
+  const Input& input = pass.inputs[channel];
+  if (pass.kind != PassKind::sound || input.kind == InputKind::texture || input.kind == InputKind::volume)
+    return input;
+  Input empty;
+  if (input.wanted() == InputKind::cubemap) empty.missing = InputKind::cubemap;
+  return empty;
+}
+
 glm::vec3 channel_size(const Project& project, const Input& input, const Texture* texture,
                        glm::ivec2 frame_size) {
   const bool site = project.dialect == Dialect::shadertoy;
-  switch (input.kind) {
+  switch (input.wanted()) {
     case InputKind::none:
-    case InputKind::webcam:
       return glm::vec3(0.0F);
     case InputKind::texture:
     case InputKind::volume:
     case InputKind::video:
+    case InputKind::webcam:
       return texture == nullptr ? glm::vec3(0.0F)
                                 : glm::vec3(texture->width, texture->height, texture->depth);
     case InputKind::cubemap:
-      return site ? glm::vec3(0.0F) : glm::vec3(0.0F, 0.0F, 1.0F);
+      return site || input.kind == InputKind::none ? glm::vec3(0.0F) : glm::vec3(0.0F, 0.0F, 1.0F);
     case InputKind::pass:
+      if (input.kind == InputKind::none) return glm::vec3(0.0F);
       return project.passes[static_cast<std::size_t>(input.pass)].kind == PassKind::cubemap
                  ? glm::vec3(cubemap_pass_size, cubemap_pass_size, 1)
                  : glm::vec3(frame_size, 1);

@@ -15,6 +15,10 @@ constexpr int cubemap_pass_size = 1024;
 // Reads the file or files of a texture or cubemap input. Throws Error(file).
 Texture load_texture(const Input& input);
 
+// What the pass has on a channel: `input`, but a sound has files only, so that it does not change with the
+// frames. On shadertoy.com cubemaps are not bound to it either. The sampler's type stays.
+Input bound_input(const Pass& pass, std::size_t channel);
+
 // iChannelResolution of an input. `texture`: what load_texture gave for a file input, else null.
 // `frame_size`: of the pictures that buffers hold.
 glm::vec3 channel_size(const Project& project, const Input& input, const Texture* texture,

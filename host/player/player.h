@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "host/image/image.h"
 #include "host/player/frame.h"
@@ -21,11 +22,19 @@ class Player {
   // device. A cubemap pass gives its six faces below one another, +X at the bottom.
   virtual Image read(int pass) = 0;
 
+  // Block 0, 1, 2 ... of the project's sound pass: sound_block_side x sound_block_side samples, as project.h
+  // lays them out. `date` is iDate. What pictures are made of stays as it is; what moves by itself is not
+  // bound. Throws Error(shader), and Error(usage) if there is no sound pass.
+  virtual Image sound_block(int block, const glm::vec4& date) = 0;
+
   // Waits until everything that was asked for has been drawn.
   virtual void finish() = 0;
 
   // One line for people: renderer, version, and how fragments run.
   virtual std::string description() const = 0;
+
+  // One line each: passes that could not run as asked for, inputs that can't be had here.
+  virtual std::vector<std::string> warnings() const = 0;
 };
 
 }  // namespace shadertwin

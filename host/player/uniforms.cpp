@@ -1,6 +1,8 @@
 #include "host/player/uniforms.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace shadertwin {
 
@@ -35,7 +37,7 @@ std::span<const UniformField> uniform_fields() {
 }
 
 Uniforms uniforms_for(const Project& project, const Pass& pass, const Frame& frame, glm::ivec2 size,
-                      const ChannelSizes& channels) {
+                      const ChannelSizes& channels, const ChannelTimes& times) {
   Uniforms u{};
   u.iResolution = glm::vec3(size, 1.0F);
   u.iTime = static_cast<float>(frame.time);
@@ -45,14 +47,26 @@ Uniforms uniforms_for(const Project& project, const Pass& pass, const Frame& fra
   u.iDate = frame.date;
   u.iMouse = frame.mouse;
   u.iMouseButton = frame.mouse_button;
+  std::copy(times.begin(), times.end(), u.iChannelTime);
   // shadertoy.com always has an audio context; the extension starts one with the first audio input.
   bool audio = project.dialect == Dialect::shadertoy;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     u.iChannelResolution[i] = channels[i];
     audio = audio || pass.inputs[i].kind == InputKind::music || pass.inputs[i].kind == InputKind::microphone;
   }
-  u.iSampleRate = audio ? 44100.0F : 0.0F;
+  u.iSampleRate = audio ? static_cast<float>(sound_rate) : 0.0F;
   u.iViewMatrix = project.first_person_controls ? frame.view : glm::mat4(1.0F);
+  return u;
+}
+
+Uniforms uniforms_for_sound(int block, const glm::vec4& date, const ChannelSizes& channels) {
+  Uniforms u{};
+  u.iResolution = glm::vec3(sound_block_side, sound_block_side, 1.0F);
+  u.iDate = glm::vec4(date.x, date.y, date.z, std::floor(date.w));
+  u.iSampleRate = static_cast<float>(sound_rate);
+  u.iSampleOffset = block * sound_block_samples;
+  u.iTimeOffset = static_cast<float>(static_cast<double>(u.iSampleOffset) / sound_rate);
+  std::copy(channels.begin(), channels.end(), u.iChannelResolution);
   return u;
 }
 

@@ -13,6 +13,8 @@ namespace shadertwin {
 
 // Size in texels of what is bound to a channel; zero when nothing is.
 using ChannelSizes = std::array<glm::vec3, max_channels>;
+// Seconds of playback of what moves on a channel, else zero.
+using ChannelTimes = std::array<float, 4>;
 
 struct Uniforms {
   glm::vec3 iResolution;  // of the pass: z is 1
@@ -43,6 +45,9 @@ std::span<const UniformField> uniform_fields();
 
 // `size`: of the pass's target in pixels.
 Uniforms uniforms_for(const Project& project, const Pass& pass, const Frame& frame, glm::ivec2 size,
-                      const ChannelSizes& channels);
+                      const ChannelSizes& channels, const ChannelTimes& times = {});
+
+// Of block `block` of a sound pass, which knows no frame: where it begins, and the date in whole seconds.
+Uniforms uniforms_for_sound(int block, const glm::vec4& date, const ChannelSizes& channels);
 
 }  // namespace shadertwin

@@ -92,7 +92,13 @@ Input bind_path(const ChannelContext& context, const PlacedDirective& at, bool c
 Sampler default_sampler(Dialect dialect, InputKind kind) {
   Sampler sampler;
   if (kind == InputKind::cubemap || kind == InputKind::volume) sampler.vflip = false;
-  if (dialect == Dialect::vscode) return sampler;
+  if (dialect == Dialect::vscode) {
+    if (kind == InputKind::music) {
+      sampler.min = MinFilter::nearest;
+      sampler.wrap = Wrap::clamp;
+    }
+    return sampler;
+  }
   // What the site's editor gives to a new input.
   if (kind == InputKind::texture || kind == InputKind::volume || kind == InputKind::cubemap)
     sampler.min = MinFilter::linear_mipmap_linear;

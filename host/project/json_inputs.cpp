@@ -168,6 +168,7 @@ Input JsonInputs::read(const Json& json) {
   }
   if (input.kind == InputKind::none) {
     input.missing = kind_of(type);
+    input.sampler = read_sampler(json, input.missing);
     return input;
   }
   input.sampler = read_sampler(json, input.kind);
@@ -221,7 +222,10 @@ void JsonInputs::find_media(const std::string& source, InputKind kind, Input& in
     std::string problem;
     const fs::path file = find_one(name, problem);
     if (!problem.empty()) {
-      warn(name, "\"" + name + "\" " + problem + ": the channel stays empty");
+      warn(name,
+           "\"" + name + "\" " + problem + ": " +
+               (kind == InputKind::music ? "the channel is silent (--mute gives shadertoy.com's preview)"
+                                         : "the channel stays empty"));
       input = {};
       return;
     }

@@ -6,7 +6,9 @@
 
 namespace shadertwin {
 
-Project load_project(const std::filesystem::path& shader, const LoadOptions& options) {
+namespace {
+
+Project load_any(const std::filesystem::path& shader, const LoadOptions& options) {
   std::error_code problem;
   if (shader.empty()) throw Error(ExitStatus::usage, "no shader is given");
   if (std::filesystem::is_directory(shader, problem)) return load_folder(shader, options);
@@ -14,11 +16,25 @@ Project load_project(const std::filesystem::path& shader, const LoadOptions& opt
   return load_file(shader, options);
 }
 
+}  // namespace
+
+Project load_project(const std::filesystem::path& shader, const LoadOptions& options) {
+  Project project = load_any(shader, options);
+  project.muted = options.muted;
+  return project;
+}
+
 int find_pass(const Project& project, const std::string& name) {
   for (std::size_t i = 0; i < project.passes.size(); ++i)
     if (project.passes[i].name == name) return static_cast<int>(i);
   for (std::size_t i = 0; i < project.passes.size(); ++i)
     if (plain_name(project.passes[i].name) == plain_name(name)) return static_cast<int>(i);
+  return -1;
+}
+
+int find_sound(const Project& project) {
+  for (std::size_t i = 0; i < project.passes.size(); ++i)
+    if (project.passes[i].kind == PassKind::sound) return static_cast<int>(i);
   return -1;
 }
 

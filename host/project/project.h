@@ -57,6 +57,9 @@ struct Input {
   std::vector<std::filesystem::path> files;
   int pass = -1;          // index into Project::passes when kind is pass
   bool red_only = false;  // a texture of one channel: r is the picture's grey, g = b = 0, a = 1
+
+  // What the channel is, or would be if what is missing were there.
+  InputKind wanted() const { return kind == InputKind::none ? missing : kind; }
 };
 
 constexpr int max_channels = 10;  // shadertoy.com declares 4 of them, the extension all
@@ -65,6 +68,8 @@ constexpr int max_channels = 10;  // shadertoy.com declares 4 of them, the exten
 // bottom: left in r, right in g, as the shader gives them. A block's first sample has the number
 // iSampleOffset and the time iTimeOffset (seconds).
 constexpr int sound_block_side = 512;
+constexpr int sound_block_samples = sound_block_side * sound_block_side;
+constexpr int sound_rate = 44100;  // samples a second, of all sound here
 
 // Where a line of a shader came from. `file` indexes Project::files; -1 is text that the host supplied.
 struct SourceLine {
@@ -116,6 +121,7 @@ struct Project {
   std::vector<Pass> passes;  // in drawing order; the last one is the picture
   std::vector<CustomUniform> uniforms;
   bool first_person_controls = false;  // iViewMatrix follows the keys and the mouse
+  bool muted = false;                  // music and the microphone give shadertoy.com's preview signal
   // Every text that the sources came from, as the user would name it: a path; for a JSON its path, a colon
   // and the pass's name.
   std::vector<std::string> files;
@@ -135,6 +141,7 @@ struct LoadOptions {
   bool zero_outputs = true;
   // The picture is mainVR() for two eyes side by side, if the shader has one.
   bool vr = false;
+  bool muted = false;  // Project::muted
 };
 
 // Loads a .glsl/.frag file (VS Code dialect) or a folder of Shadertoy tabs: image.glsl and any of
@@ -151,6 +158,9 @@ Project load_project(const std::filesystem::path& shader, const LoadOptions& opt
 // Index of the pass that the user calls `name`: as Pass::name, or without case, spaces and underscores
 // ("buffera"). -1 if there is none.
 int find_pass(const Project& project, const std::string& name);
+
+// Index of the sound pass, -1 if there is none.
+int find_sound(const Project& project);
 
 // Turns a compiler's log about `source` into lines `file:line: error: text` that name the user's own files.
 // Knows the forms of Mesa (`0:12(5): error: ...`), NVIDIA (`0(12) : error C0000: ...`), ANGLE and glslang

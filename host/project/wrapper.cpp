@@ -38,9 +38,8 @@ std::string_view glsl_name(UniformType type) {
 }
 
 std::string_view sampler_name(const Project& project, const Input& input) {
-  const InputKind kind = input.kind == InputKind::none ? input.missing : input.kind;
-  if (kind == InputKind::cubemap) return "samplerCube";
-  if (kind == InputKind::volume) return "sampler3D";
+  if (input.wanted() == InputKind::cubemap) return "samplerCube";
+  if (input.wanted() == InputKind::volume) return "sampler3D";
   if (input.kind == InputKind::pass &&
       project.passes[static_cast<std::size_t>(input.pass)].kind == PassKind::cubemap)
     return "samplerCube";

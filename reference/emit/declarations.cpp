@@ -26,15 +26,8 @@ const std::set<std::string> qualifiers = {"const",   "in",      "out",      "ino
 // Walks the tokens by the grammar of declarations and statements; expressions are only searched for names.
 class Scanner {
  public:
-  Scanner(const std::vector<Token>& tokens, std::vector<int>& declaration, std::vector<bool>& is_const,
-          std::vector<Variable>& variables, std::vector<FunctionBody>& functions, std::vector<ForLoop>& loops)
-      : tokens_(tokens),
-        declaration_(declaration),
-        is_const_(is_const),
-        variables_(variables),
-        functions_(functions),
-        loops_(loops),
-        types_(builtin_types()) {}
+  Scanner(const std::vector<Token>& tokens, std::vector<int>& declaration, std::vector<bool>& is_const)
+      : tokens_(tokens), declaration_(declaration), is_const_(is_const), types_(builtin_types()) {}
 
   void scan() {
     open_scope();
@@ -129,46 +122,39 @@ class Scanner {
     } while (depth > 0 && at_ < size());
   }
 
-  // Consumes qualifiers and type: what the variables of one declaration have in common.
-  Variable type() {
-    Variable common;
-    while (qualifiers.count(text(at_)) != 0 || next_is("layout")) {
-      const std::string& qualifier = text(at_++);
-      common.is_const |= qualifier == "const";
-      common.is_in |= qualifier == "in" || qualifier == "inout";
-      common.is_out |= qualifier == "out" || qualifier == "inout";
-      common.is_uniform |= qualifier == "uniform";
-      if (qualifier == "layout") expression_part();
+  // Consumes qualifiers and type. Returns whether the type is const.
+  bool type() {
+    bool constant = false;
+    while (qualifiers.count(text(at_)) != 0) constant |= text(at_++) == "const";
+    if (next_is("layout")) {
+      ++at_;
+      expression_part();
+      return type() || constant;
     }
-    common.type = at_;
     if (next_is("struct")) {
       struct_specifier();
     } else {
       ++at_;
     }
     skip_brackets();
-    common.type_end = at_;
-    common.place = scopes_.size() > 1 ? Variable::Place::local : Variable::Place::global;
-    return common;
+    return constant;
   }
 
-  void declarators(Variable variable) {
+  void declarators(bool constant) {
     while (is_identifier(text(at_))) {
-      variable.name = at_++;
+      const int name = at_++;
       skip_brackets();
-      variable.end = at_;
       // A name is visible after its initialiser: `float x = x;` reads the outer x.
-      variable.initialised = accept("=");
-      if (variable.initialised) expression(true);
-      declare(variable.name, variable.is_const);
-      variables_.push_back(variable);
+      if (accept("=")) expression(true);
+      declare(name, constant);
       if (!accept(",")) break;
     }
   }
 
   void simple_statement() {
     if (at_declaration()) {
-      declarators(type());
+      const bool constant = type();
+      declarators(constant);
     } else {
       expression(false);
     }
@@ -189,17 +175,13 @@ class Scanner {
       close_scope();
     } else if (t == "for") {
       open_scope();
-      ForLoop loop;
-      loop.open = ++at_;
+      ++at_;
       accept("(");
       simple_statement();
       simple_statement();
       expression(false);
-      loop.close = at_;
       accept(")");
       statement();
-      loop.end = at_;
-      loops_.push_back(loop);
       close_scope();
     } else if (t == "if" || t == "while" || t == "switch") {
       const bool is_if = t == "if";
@@ -235,30 +217,21 @@ class Scanner {
     close_scope();
   }
 
-  // Returns where the last statement began.
-  int block() {
-    int last = ++at_;
-    while (at_ < size() && !next_is("}")) {
-      last = at_;
-      statement();
-    }
+  void block() {
     ++at_;
-    return last;
+    while (at_ < size() && !next_is("}")) statement();
+    ++at_;
   }
 
   void parameters() {
     ++at_;
     while (at_ < size() && !next_is(")")) {
-      Variable parameter = type();
-      parameter.place = Variable::Place::parameter;
+      const bool constant = type();
       if (is_identifier(text(at_))) {
-        parameter.name = at_;
-        declare(at_, parameter.is_const);
+        declare(at_, constant);
         ++at_;
       }
       skip_brackets();
-      parameter.end = at_;
-      variables_.push_back(parameter);
       accept(",");
     }
     ++at_;
@@ -274,25 +247,15 @@ class Scanner {
       ++at_;
       return;
     }
-    const Variable common = type();
+    const bool constant = type();
     if (is_identifier(text(at_)) && text(at_ + 1) == "(") {
-      FunctionBody function;
-      function.type = common.type;
-      function.type_end = common.type_end;
-      function.name = at_++;
-      function.first_parameter = variables_.size();
+      ++at_;
       open_scope();
       parameters();
-      function.parameters = variables_.size() - function.first_parameter;
-      if (next_is("{")) {
-        function.open = at_;
-        function.returns_last = text(block()) == "return";
-        function.close = at_ - 1;
-        functions_.push_back(function);
-      }
+      if (next_is("{")) block();
       close_scope();
     } else {
-      declarators(common);
+      declarators(constant);
     }
     accept(";");
   }
@@ -300,9 +263,6 @@ class Scanner {
   const std::vector<Token>& tokens_;
   std::vector<int>& declaration_;
   std::vector<bool>& is_const_;
-  std::vector<Variable>& variables_;
-  std::vector<FunctionBody>& functions_;
-  std::vector<ForLoop>& loops_;
   std::set<std::string> types_;
   std::set<std::string> structs_;
   std::vector<Scope> scopes_;
@@ -313,7 +273,7 @@ class Scanner {
 
 Declarations::Declarations(const std::vector<Token>& tokens)
     : declaration_(tokens.size(), -1), is_const_(tokens.size(), false) {
-  Scanner(tokens, declaration_, is_const_, variables_, functions_, loops_).scan();
+  Scanner(tokens, declaration_, is_const_).scan();
 }
 
 }  // namespace shadertwin::emit

@@ -97,6 +97,23 @@ const Picture& PictureLibrary::load(const Input& input) {
   return found->second;
 }
 
+const MovingPictures::Moving* MovingPictures::load(const Input& input) {
+  const MovingInput* moving = inputs_.open(input);
+  if (moving == nullptr) return nullptr;
+  Moving& entry = pictures_[moving];
+  const bool mipmaps = entry.picture.has_mipmaps() || uses_mipmaps(input.sampler);
+  if (entry.input == nullptr || mipmaps != entry.picture.has_mipmaps())
+    entry = {moving, Picture(moving->texture(), mipmaps)};
+  return &entry;
+}
+
+void MovingPictures::update(const Frame& frame) {
+  inputs_.update(frame, [this](const MovingInput& input) {
+    Picture& picture = pictures_.at(&input).picture;
+    picture = Picture(input.texture(), picture.has_mipmaps());
+  });
+}
+
 Keyboard::Keyboard(Dialect dialect) : dialect_(dialect) {
   update(Frame{});
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/player/frame.h"
+#include "host/player/moving_input.h"
 #include "host/player/uniforms.h"
 #include "host/project/project.h"
 #include "reference/glsl/texture_image.h"
@@ -35,6 +36,7 @@ class Picture {
   // Makes what was drawn visible to samplers.
   void finish_drawing();
   void want_mipmaps() { mipmaps_ = true; }
+  bool has_mipmaps() const { return mipmaps_; }
 
   const Texture& texture() const { return texture_; }
   const glsl::TextureImage* image() const { return image_.get(); }
@@ -52,6 +54,24 @@ class PictureLibrary {
 
  private:
   std::map<std::string, Picture> pictures_;
+};
+
+// What moves by itself: music, video ...
+class MovingPictures {
+ public:
+  explicit MovingPictures(const Project& project) : inputs_(project) {}
+  // Null if there is nothing to show. The picture stays in place, but its image() changes with the frames.
+  struct Moving {
+    const MovingInput* input = nullptr;
+    Picture picture;
+  };
+  const Moving* load(const Input& input);
+  void update(const Frame& frame);
+  const std::vector<std::string>& warnings() const { return inputs_.warnings(); }
+
+ private:
+  MovingInputs inputs_;
+  std::map<const MovingInput*, Moving> pictures_;
 };
 
 // The keyboard as a texture, in the shape of its dialect.

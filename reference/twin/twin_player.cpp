@@ -39,6 +39,7 @@ struct PassState {
   std::unique_ptr<Module> module;
   Channels channels;
   ChannelSizes sizes{};
+  std::array<const MovingPictures::Moving*, max_channels> moving{};
   Target target;
 };
 
@@ -51,11 +52,11 @@ class TwinPlayerImpl final : public TwinPlayer {
     for (std::size_t i = 0; i < passes_.size(); ++i) {
       if (project_.passes[i].kind == PassKind::sound) continue;
       passes_[i].module = load(project_.passes[i]);
+      bind_inputs(i);
       passes_[i].target.faces = project_.passes[i].kind == PassKind::cubemap ? 6 : 1;
       passes_[i].target.pictures.resize(history[i] ? 2 : 1);
       passes_[i].target.wide.resize(history[i] ? 2 : 1);
     }
-    for (std::size_t i = 0; i < passes_.size(); ++i) bind_inputs(i);
     for (const Pass& pass : project_.passes) {
       for (const Input& input : pass.inputs) {
         if (input.kind != InputKind::pass || !uses_mipmaps(input.sampler)) continue;
@@ -70,9 +71,31 @@ class TwinPlayerImpl final : public TwinPlayer {
     resize(frame.width, frame.height);
     if (frame.index == 0) clear();
     keyboard_.update(frame);
+    moving_.update(frame);
     for (std::size_t i = 0; i < passes_.size(); ++i) {
-      if (passes_[i].module) draw(i, frame, deadline);
+      if (project_.passes[i].kind != PassKind::sound) draw(i, frame, deadline);
     }
+  }
+
+  Image sound_block(int block, const glm::vec4& date) override {
+    const int pass = find_sound(project_);
+    if (pass < 0) throw Error(ExitStatus::usage, "the shader has no Sound pass (mainSound)");
+    const auto index = static_cast<std::size_t>(pass);
+    PassState& state = passes_[index];
+    if (!state.module) {
+      state.module = load(project_.passes[index]);
+      bind_inputs(index);
+      state.target.width = state.target.height = sound_block_side;
+      state.target.pictures.resize(1);
+      state.target.pictures[0].resize(sound_block_side, sound_block_side, 1, false);
+      state.target.wide.assign(1, {});
+      if (options_.double_precision) state.target.wide[0].assign(std::size_t{4} * sound_block_samples, 0.0);
+    }
+    const Deadline deadline(options_.timeout);
+    Frame frame;
+    frame.index = block;
+    draw(index, uniforms_for_sound(block, date, state.sizes), frame, deadline);
+    return read(pass);
   }
 
   Image read(int pass) override {
@@ -95,6 +118,8 @@ class TwinPlayerImpl final : public TwinPlayer {
   std::string description() const override {
     return std::string(options_.double_precision ? "cpu/double: " : "cpu: ") + compiler_.name();
   }
+
+  std::vector<std::string> warnings() const override { return moving_.warnings(); }
 
  private:
   CompileOptions compile_options(const Pass& pass) const {
@@ -152,7 +177,7 @@ class TwinPlayerImpl final : public TwinPlayer {
   }
 
   static std::string cache_key(const Project& project, const Pass& pass, const CppOptions& emit) {
-    std::string key = emit_identity() + std::string(emit.double_precision ? " double" : " float") +
+    std::string key = std::string(emit.double_precision ? "double" : "float") +
                       (emit.loop_guards ? " guarded" : "") + (emit.checks ? " checked" : "");
     for (const std::string& file : project.files) key += '\n' + file;  // #line names them
     for (const SourceLine& line : pass.source.lines)
@@ -164,7 +189,7 @@ class TwinPlayerImpl final : public TwinPlayer {
     PassState& state = passes_[index];
     const Pass& pass = project_.passes[index];
     for (std::size_t i = 0; i < max_channels; ++i) {
-      const Input& input = pass.inputs[i];
+      const Input input = bound_input(pass, i);
       if (input.kind == InputKind::texture || input.kind == InputKind::cubemap ||
           input.kind == InputKind::volume) {
         const Picture& picture = pictures_.load(input);
@@ -173,6 +198,10 @@ class TwinPlayerImpl final : public TwinPlayer {
       } else if (input.kind == InputKind::keyboard) {
         state.channels.bind_keyboard(i, keyboard_.picture());
         state.sizes[i] = channel_size(project_, input, nullptr, {0, 0});
+      } else if (input.kind != InputKind::pass) {
+        state.moving[i] = moving_.load(input);
+        if (state.moving[i] != nullptr)
+          state.sizes[i] = channel_size(project_, input, &state.moving[i]->input->texture(), {0, 0});
       }
     }
   }
@@ -180,6 +209,7 @@ class TwinPlayerImpl final : public TwinPlayer {
   void resize(int width, int height) {
     if (width == width_ && height == height_) return;
     for (std::size_t i = 0; i < passes_.size(); ++i) {
+      if (project_.passes[i].kind == PassKind::sound) continue;
       Target& target = passes_[i].target;
       const bool cube = target.faces == 6;
       const int new_width = cube ? cubemap_pass_size : width;
@@ -196,7 +226,7 @@ class TwinPlayerImpl final : public TwinPlayer {
     height_ = height;
     for (std::size_t i = 0; i < passes_.size(); ++i) {
       for (std::size_t c = 0; c < max_channels; ++c) {
-        const Input& input = project_.passes[i].inputs[c];
+        const Input input = bound_input(project_.passes[i], c);
         if (input.kind == InputKind::pass)
           passes_[i].sizes[c] = channel_size(project_, input, nullptr, {width, height});
       }
@@ -210,17 +240,31 @@ class TwinPlayerImpl final : public TwinPlayer {
     }
   }
 
+  // What moves, or was drawn before, comes to its channels.
   void draw(std::size_t index, const Frame& frame, const Deadline& deadline) {
     PassState& state = passes_[index];
-    Target& target = state.target;
     const Pass& pass = project_.passes[index];
     for (std::size_t i = 0; i < max_channels; ++i) {
       if (pass.inputs[i].kind != InputKind::pass) continue;
       const Target& source = passes_[static_cast<std::size_t>(pass.inputs[i].pass)].target;
       state.channels.bind(i, source.pictures[source.front], pass.inputs[i].sampler);
     }
+    ChannelTimes times{};
+    for (std::size_t i = 0; i < max_channels; ++i) {
+      if (state.moving[i] == nullptr) continue;
+      state.channels.bind(i, state.moving[i]->picture, pass.inputs[i].sampler);
+      if (i < times.size()) times[i] = static_cast<float>(state.moving[i]->input->time());
+    }
     state.channels.bind_keyboard(Channels::keyboard, keyboard_.picture());
 
+    draw(index,
+         uniforms_for(project_, pass, frame, {state.target.width, state.target.height}, state.sizes, times),
+         frame, deadline);
+  }
+
+  void draw(std::size_t index, const Uniforms& values, const Frame& frame, const Deadline& deadline) {
+    const Pass& pass = project_.passes[index];
+    Target& target = passes_[index].target;
     const std::size_t back = target.back();
     Picture& picture = target.pictures[back];
     // The extension clears every target before it draws, which shows where a shader discards.
@@ -229,7 +273,6 @@ class TwinPlayerImpl final : public TwinPlayer {
       std::fill(target.wide[back].begin(), target.wide[back].end(), 0.0);
     }
     if (options_.observer != nullptr) options_.observer->begin(static_cast<int>(index), frame.index);
-    const Uniforms values = uniforms_for(project_, pass, frame, {target.width, target.height}, state.sizes);
     for (int face = 0; face < target.faces; ++face) draw_face(index, values, frame, face, deadline);
     if (deadline.passed())
       throw Error(ExitStatus::failed,
@@ -248,7 +291,8 @@ class TwinPlayerImpl final : public TwinPlayer {
     state.channels.add_to(uniforms);
 
     Rectangle region{0, 0, target.width, target.height};
-    if (options_.region && index + 1 == passes_.size()) region = clipped(*options_.region, target);
+    if (options_.region && index + 1 == passes_.size() && project_.passes[index].kind != PassKind::sound)
+      region = clipped(*options_.region, target);
     const std::size_t first = std::size_t{4} * target.width * target.height * static_cast<std::size_t>(face);
     const std::size_t back = target.back();
     Request whole;
@@ -320,6 +364,7 @@ class TwinPlayerImpl final : public TwinPlayer {
   CheckLog log_ = make_log(options_.observer);
   Compiler compiler_;
   PictureLibrary pictures_;
+  MovingPictures moving_{project_};
   Keyboard keyboard_{project_.dialect};
   std::vector<PassState> passes_;
   oneapi::tbb::enumerable_thread_specific<QuadRunner> quad_runners_;

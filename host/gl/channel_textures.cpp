@@ -1,0 +1,105 @@
+#include "host/gl/channel_textures.h"
+
+#include "host/player/inputs.h"
+
+namespace shadertwin::gl {
+
+namespace {
+
+// The target that the shader's sampler of an empty channel looks at.
+GLenum target_of_empty(const Input& input) {
+  if (input.missing == InputKind::cubemap) return GL_TEXTURE_CUBE_MAP;
+  return input.missing == InputKind::volume ? GL_TEXTURE_3D : GL_TEXTURE_2D;
+}
+
+}  // namespace
+
+ChannelTexture ChannelTextures::load(const Input& input) {
+  switch (input.kind) {
+    case InputKind::texture:
+    case InputKind::cubemap: {
+      const Picture& loaded = picture(input);
+      return {{texture_target(loaded.texture), loaded.object.name()},
+              channel_size(project_, input, &loaded.texture, {0, 0})};
+    }
+    case InputKind::keyboard:
+      return {keyboard(), channel_size(project_, input, nullptr, {0, 0})};
+    default:
+      break;
+  }
+  MovingInput* moving = moving_.open(input);
+  if (moving == nullptr) return {unbound(target_of_empty(input))};
+  Moving& texture = moving_textures_[moving];
+  const bool mipmaps = texture.mipmaps || uses_mipmaps(input.sampler.min);
+  if (texture.object.name() == 0 || mipmaps != texture.mipmaps)
+    texture = {upload(gl_, moving->texture(), mipmaps), mipmaps};
+  return {{GL_TEXTURE_2D, texture.object.name()},
+          channel_size(project_, input, &moving->texture(), {0, 0}),
+          moving};
+}
+
+BoundTexture ChannelTextures::keyboard() {
+  if (keyboard_.name() == 0) {
+    Texture blank;
+    blank.width = 256;
+    blank.height = project_.dialect == Dialect::shadertoy ? 3 : 4;
+    blank.data.resize(blank.texel_bytes() * 256 * static_cast<std::size_t>(blank.height));
+    keyboard_ = upload(gl_, blank, false);
+  }
+  return {GL_TEXTURE_2D, keyboard_.name()};
+}
+
+void ChannelTextures::update(const Frame& frame) {
+  upload_keyboard(frame);
+  moving_.update(frame, [this](const MovingInput& input) {
+    const auto found = moving_textures_.find(&input);
+    if (found != moving_textures_.end()) upload_again(found->second, input.texture());
+  });
+}
+
+ChannelTextures::Picture& ChannelTextures::picture(const Input& input) {
+  const bool mipmaps = uses_mipmaps(input.sampler.min);
+  std::string key = std::string(mipmaps ? "mipmaps" : "plain") + (input.sampler.vflip ? " flipped" : "");
+  for (const auto& file : input.files) key += '\n' + file.string();
+  auto found = pictures_.find(key);
+  if (found == pictures_.end()) {
+    Picture picture{load_texture(input), {}};
+    picture.object = upload(gl_, picture.texture, mipmaps);
+    picture.texture.data = {};
+    found = pictures_.emplace(std::move(key), std::move(picture)).first;
+  }
+  return found->second;
+}
+
+BoundTexture ChannelTextures::unbound(GLenum target) {
+  TextureObject& object = unbound_[target];
+  if (object.name() == 0) object = make_unbound(gl_, target);
+  return {target, object.name()};
+}
+
+// The site's texture has one channel (g = b = 0), the extension's is grey; alpha is 1 in both.
+void ChannelTextures::upload_keyboard(const Frame& frame) {
+  if (keyboard_.name() == 0) return;
+  const bool site = project_.dialect == Dialect::shadertoy;
+  const int rows = site ? 3 : 4;
+  std::vector<std::uint8_t> texels;
+  texels.reserve(std::size_t{256} * 4 * 4);
+  for (std::size_t i = 0; i < std::size_t{256} * static_cast<std::size_t>(rows); ++i) {
+    const std::uint8_t value = frame.keyboard[i];
+    const std::uint8_t other = site ? std::uint8_t{0} : value;
+    texels.insert(texels.end(), {value, other, other, 255});
+  }
+  gl_.BindTexture(GL_TEXTURE_2D, keyboard_.name());
+  gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 256, rows, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+}
+
+void ChannelTextures::upload_again(const Moving& moving, const Texture& texture) {
+  gl_.BindTexture(GL_TEXTURE_2D, moving.object.name());
+  gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, texture.width, texture.height, GL_RGBA,
+                    texture.format == Texture::Format::rgba8 ? GL_UNSIGNED_BYTE : GL_FLOAT,
+                    texture.data.data());
+  if (moving.mipmaps) gl_.GenerateMipmap(GL_TEXTURE_2D);
+}
+
+}  // namespace shadertwin::gl

@@ -1,0 +1,71 @@
+// `shadertwin render -o` with the name of a video.
+#include <gtest/gtest.h>
+
+#include "tests/app/command_line.h"
+#include "tests/media/packets.h"
+
+namespace shadertwin {
+namespace {
+
+constexpr const char* noise =
+    "void mainImage(out vec4 c, in vec2 p) {\n"
+    "  c = fract(sin(dot(p, vec2(12.9898, 78.233)) + iTime) * vec4(43758.5, 22578.1, 19642.3, 1));\n}\n";
+
+class RenderVideo : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder.write("clock.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(fract(iTime)); }\n");
+  }
+  ScratchFolder folder;
+};
+
+TEST_F(RenderVideo, WritesEveryFrameAndPrintsNothing) {
+  for (const char* name : {"a.mp4", "a.webm"}) {
+    const Outcome outcome = run(folder, std::string("render clock.glsl --size 32x16 --frames 7 -o ") + name);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err + outcome.out, "");
+    EXPECT_EQ(media::read_packets(folder / name).times.size(), 7U) << name;
+  }
+}
+
+TEST_F(RenderVideo, AGifTakesItsHighestRateUnlessAnotherIsGiven) {
+  ASSERT_EQ(run(folder, "render clock.glsl --size 32x16 --frames 4 -o a.gif").err, "");
+  EXPECT_NEAR(media::read_packets(folder / "a.gif").times.rbegin()->first, 3 / 50.0, 1e-9);
+  const Outcome outcome = run(folder, "render clock.glsl --size 32x16 --frames 4 --fps 60 -o b.gif");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.error_lines(), 1) << outcome.err;
+}
+
+TEST_F(RenderVideo, QualityChangesTheSize) {
+  folder.write("noise.glsl", noise);
+  ASSERT_EQ(run(folder, "render noise.glsl --size 64x64 --frames 3 --crf 45 -o a.mp4").err, "");
+  ASSERT_EQ(run(folder, "render noise.glsl --size 64x64 --frames 3 --crf 4 -o b.mp4").err, "");
+  EXPECT_GT(std::filesystem::file_size(folder / "b.mp4"), 2 * std::filesystem::file_size(folder / "a.mp4"));
+}
+
+TEST_F(RenderVideo, RefusalsAreOneLineAndLeaveNothing) {
+  const auto expect = [&](int status, const std::string& arguments, const std::string& word,
+                          const std::string& before = "") {
+    const Outcome outcome = run(folder, "render clock.glsl " + arguments, before);
+    EXPECT_EQ(outcome.status, status) << arguments << '\n' << outcome.err;
+    EXPECT_EQ(outcome.error_lines(), 1) << arguments << '\n' << outcome.err;
+    EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
+    std::size_t files = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path())) ++files;
+    EXPECT_EQ(files, 1U) << arguments;
+  };
+  expect(2, "--size 33x16 -o a.mp4", "even");
+  expect(2, "--size 32x16 -o a.avi", ".webm");
+  expect(2, "--size 32x16 --crf 70 -o a.webm", "63");
+  expect(2, "--size 32x16 --crf 20 -o a.png", "--crf");
+  expect(2, "--size 32x16 --chroma 422 -o a.mp4", "--chroma");
+  expect(4, "--size 32x16 -o nowhere/a.mp4", "nowhere");
+  // A disk that fills up.
+  folder.write("clock.glsl", noise);
+  for (const char* options : {"--crf 0 -o a.mp4", "--crf 0 -o a.webm", "-o a.gif"})
+    expect(4, std::string("--size 128x128 --frames 3 ") + options, "can't be written",
+           "trap '' XFSZ; ulimit -f 8;");
+}
+
+}  // namespace
+}  // namespace shadertwin

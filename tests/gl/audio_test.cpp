@@ -1,0 +1,44 @@
+// Music and the microphone as textures on the GPU.
+#include "tests/gl/play.h"
+
+namespace shadertwin {
+namespace {
+
+using Audio = OnEveryDevice;
+
+// Texel (x, y) of the picture is texel (64 x, y) of the music, iChannelTime and the width in blue and alpha.
+Project music_shader(const ScratchFolder& folder, bool muted) {
+  const auto shader =
+      folder.write("toy.json", R"({"Shader": {"renderpass": [{"type": "image", "name": "Image",
+    "outputs": [{"id": 37, "channel": 0}],
+    "inputs": [{"id": 1, "channel": 1, "ctype": "music", "src": "/media/a/none.mp3"}],
+    "code": "void mainImage(out vec4 c, vec2 p) { c.rg = texelFetch(iChannel1, ivec2(p) * ivec2(64, 1), 0).rg; c.b = iChannelTime[1] + texelFetch(iChannel1, ivec2(p), 0).b; }"}]}})");
+  return load_project(shader, {.muted = muted});
+}
+
+TEST_P(Audio, MissingMusicIsSilent) {
+  const Project project = music_shader(folder, false);
+  ASSERT_EQ(project.warnings.size(), 1U);
+  const Image image = frames(project, 1, small(8, 2))[0];
+  EXPECT_EQ(pixel(image, 3, 0), glm::vec4(0, 0, 0, 1));
+  EXPECT_EQ(pixel(image, 3, 1), glm::vec4(128.0F / 255, 0, 0, 1));
+}
+
+TEST_P(Audio, MutedMusicIsTheSitesPreview) {
+  Schedule schedule = small(8, 2);
+  schedule.t0 = 0.5;
+  schedule.fps = 2.0;
+  const std::vector<Image> images = frames(music_shader(folder, true), 2, schedule);
+  // The beat of the lowest bins is off half-way between two seconds, and on at each.
+  EXPECT_NEAR(pixel(images[0], 0, 0).x, std::pow(0.5 + 0.5 * std::sin(M_PI), 4.0), 1.0 / 255);
+  EXPECT_NEAR(pixel(images[1], 0, 0).x, std::pow(0.5 + 0.5 * std::sin(2.0 * M_PI), 4.0), 1.0 / 255);
+  EXPECT_NEAR(pixel(images[1], 2, 0).x, (0.75 + 0.25 * std::sin(10.0 * 128 + 13.0)) * std::exp(-0.75),
+              1.0 / 255);
+  EXPECT_NEAR(pixel(images[1], 0, 1).x, 0.5 + 0.15 * std::sin(17.0) * std::sin(23.0), 1.0 / 255);
+  EXPECT_EQ(pixel(images[1], 0, 0).z, 11.0F);
+}
+
+SHADERTWIN_ON_EVERY_DEVICE(Audio);
+
+}  // namespace
+}  // namespace shadertwin
