@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "host/base/error.h"
-#include "reference/emit/emit_defined.h"
 #include "reference/emit/emit_precise.h"
 
 namespace shadertwin::app {
@@ -72,13 +71,6 @@ void add_load_options(CLI::App& command, PlayOptions& o) {
       "--precise", o.precise,
       "play the shader as GLSL ES 3.20 with every computation precise: a GPU's compiler then keeps to "
       "the operations that the text states, as the CPU twin does");
-  command
-      .add_option(
-          "--init", o.init,
-          "zero: what a shader leaves undefined is what browsers make of it: variables and outputs that "
-          "nothing wrote and returns that are missing are zero, indices are clamped; raw: it is what the "
-          "device has there")
-      ->check(CLI::IsMember({"zero", "raw"}));
   command.add_option("--seed", o.seed, "the same as -D SEED=N: another stream of random numbers");
   command.add_option("--media", o.media, "the folder that holds the pictures a Shadertoy JSON names");
   command
@@ -86,6 +78,8 @@ void add_load_options(CLI::App& command, PlayOptions& o) {
                   "whose rules hold: shadertoy or vscode (by default a file's are vscode's, a folder's and a "
                   "JSON's shadertoy.com's)")
       ->check(CLI::IsMember({"shadertoy", "vscode"}));
+  command.add_flag("--mute", o.mute,
+                   "music and the microphone give the signal that shadertoy.com shows where sound is muted");
   command.add_flag("--quiet", o.quiet, "no warnings and no progress bar");
 }
 
@@ -164,7 +158,7 @@ Schedule make_schedule(const PlayOptions& o) {
 LoadOptions make_load_options(const PlayOptions& o) {
   LoadOptions load_options;
   load_options.media = o.media;
-  load_options.zero_outputs = o.init == "zero";
+  load_options.muted = o.mute;
   if (!o.dialect.empty()) load_options.dialect = o.dialect == "vscode" ? Dialect::vscode : Dialect::shadertoy;
   auto defines = o.defines;
   if (!o.seed.empty()) {
@@ -200,13 +194,7 @@ Project load(const PlayOptions& o) {
   Project project = load_project(o.shader, make_load_options(o));
   if (!o.quiet)
     for (const std::string& warning : project.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
-  if (!o.precise) return project;
-  return emit_precise(o.init == "zero" ? emit_defined(project) : project);
-}
-
-std::function<Project(const Project&)> rewrite_for_gl(const PlayOptions& o) {
-  if (o.init != "zero" || o.precise) return {};
-  return emit_defined;
+  return o.precise ? emit_precise(project) : project;
 }
 
 }  // namespace shadertwin::app

@@ -10,15 +10,11 @@ namespace shadertwin::app {
 
 namespace {
 
-std::unique_ptr<Player> open_gl(const std::string& on, const Project& project, const PlayOptions& play) {
+std::unique_ptr<Player> open_gl(const std::string& on, const Project& project) {
   const std::string device = on.substr(0, on.find('/'));
   gl::PlayerOptions options;
   options.dispatch = dispatch_of(on);
-  options.rewrite = rewrite_for_gl(play);
-  auto player = gl::GlPlayer::create(gl::open_context(device), project, options);
-  if (!play.quiet)
-    for (const std::string& warning : player->warnings()) std::fprintf(stderr, "%s\n", warning.c_str());
-  return player;
+  return gl::GlPlayer::create(gl::open_context(device), project, options);
 }
 
 std::unique_ptr<Player> open_twin(const std::string& how, const Project& project,
@@ -51,10 +47,13 @@ std::unique_ptr<Player> open_player(const std::string& on, const Project& projec
   const std::size_t slash = on.find('/');
   const std::string device = on.substr(0, slash);
   const std::string how = slash == std::string::npos ? "" : on.substr(slash + 1);
-  if (device == "cpu") return open_twin(how, project, options);
-  if (!options.tile.empty() || options.timeout > 0.0)
+  const bool twin = device == "cpu";
+  if (!twin && (!options.tile.empty() || options.timeout > 0.0))
     throw Error(ExitStatus::usage, "--tile and --timeout are for --on cpu only");
-  return open_gl(on, project, options);
+  auto player = twin ? open_twin(how, project, options) : open_gl(on, project);
+  if (!options.quiet)
+    for (const std::string& warning : player->warnings()) std::fprintf(stderr, "%s\n", warning.c_str());
+  return player;
 }
 
 }  // namespace shadertwin::app

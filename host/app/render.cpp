@@ -1,18 +1,23 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "host/app/command.h"
 #include "host/app/options.h"
+#include "host/app/output.h"
 #include "host/app/players.h"
 #include "host/app/progress.h"
+#include "host/app/render_sound.h"
 #include "host/app/report.h"
 #include "host/base/error.h"
-#include "host/base/output_file.h"
 #include "host/image/image.h"
+#include "host/media/audio_writer.h"
+#include "host/media/video_writer.h"
+#include "host/player/inputs.h"
+#include "host/player/sound.h"
 
 namespace shadertwin::app {
 
@@ -21,38 +26,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct RenderOptions : PlayOptions {
-  std::string output;
-};
-
-// Where the pictures go: one file for the last frame, or a numbered one for every frame ("frame_%04d.png").
-class Output {
- public:
-  explicit Output(std::string pattern) : pattern_(std::move(pattern)) {
-    if (!can_write(pattern_))
-      throw Error(ExitStatus::usage, pattern_ + ": the output must end in .png, .jpg or .exr");
-    static const std::regex number("%0?[0-9]?d");
-    const auto matches = std::distance(std::sregex_iterator(pattern_.begin(), pattern_.end(), number), {});
-    if (matches > 1) throw Error(ExitStatus::usage, pattern_ + ": only one %d can be numbered");
-    sequence_ = matches == 1;
-    // An output that can't be written must fail before the work, not after it.
-    const OutputFile probe(name(0));
-  }
-
-  bool sequence() const { return sequence_; }
-  std::string name(int frame) const {
-    if (!sequence_) return pattern_;
-    std::smatch match;
-    static const std::regex number("%(0?)([0-9]?)d");
-    std::regex_search(pattern_, match, number);
-    std::string digits = std::to_string(frame);
-    const std::size_t width = match[2].length() == 0 ? 0 : static_cast<std::size_t>(match[2].str()[0] - '0');
-    if (digits.size() < width) digits.insert(0, width - digits.size(), match[1].length() == 0 ? ' ' : '0');
-    return match.prefix().str() + digits + match.suffix().str();
-  }
-
- private:
-  std::string pattern_;
-  bool sequence_ = false;
+  OutputOptions output;
+  int chroma = 420;
+  double duration = sound_seconds;
 };
 
 // How many frames to draw before waiting for the device: enough that it never idles, so few that the bar
@@ -102,11 +78,19 @@ nlohmann::json statistics(const Image& image) {
   return j;
 }
 
+glm::ivec2 picture_size(const Project& project, int pass, const Schedule& schedule) {
+  if (project.passes[static_cast<std::size_t>(pass)].kind == PassKind::cubemap)
+    return {cubemap_pass_size, 6 * cubemap_pass_size};
+  return {schedule.width, schedule.height};
+}
+
 void render(const RenderOptions& options) {
+  if (media::can_write_audio(options.output.name))
+    return render_sound(options, options.duration, options.output.name);
   const Schedule schedule = make_schedule(options);
-  const Output output(options.output);
   const Project project = load(options);
   const int shown = chosen_pass(project, options);
+  const auto output = open_output(options.output, picture_size(project, shown, schedule), schedule.fps);
   const auto player = open_player(options.on, project, options);
 
   FixedClock clock(schedule, project.dialect);
@@ -116,8 +100,8 @@ void render(const RenderOptions& options) {
     Progress progress("rendering", options.frames, options.quiet);
     for (int i = 0; i < options.frames; ++i) {
       player->render(clock.next());
-      if (output.sequence())
-        write_image(player->read(shown), output.name(i));
+      if (output->wants_every_frame())
+        output->add(player->read(shown));
       else
         batch.drawn(*player);
       progress.update(i + 1);
@@ -125,7 +109,8 @@ void render(const RenderOptions& options) {
     player->finish();
   }
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  if (!output.sequence()) write_image(player->read(shown), output.name(0));
+  if (!output->wants_every_frame()) output->add(player->read(shown));
+  output->finish();
   if (!options.json.empty()) {
     nlohmann::json passes = nlohmann::json::array();
     for (std::size_t i = 0; i < project.passes.size(); ++i)
@@ -146,17 +131,40 @@ void render(const RenderOptions& options) {
 }  // namespace
 
 void add_render(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("render", "draw a shader without a window and write the picture");
+  CLI::App* command = app.add_subcommand(
+      "render", "play a shader without a window and write the picture, the video or the sound");
   const auto options = std::make_shared<RenderOptions>();
   add_play_options(*command, *options);
   add_on_option(*command, *options);
   command
-      ->add_option("-o,--output", options->output,
+      ->add_option("-o,--output", options->output.name,
                    "what to write: .png (8 bits, as a browser's canvas shows it), .jpg, .exr (float32 RGBA, "
-                   "bit for bit); "
-                   "%04d in the name numbers every frame, without it the last frame is written")
+                   "bit for bit) of the last frame, or with %04d in the name of every frame; .mp4 (H.264), "
+                   ".webm (VP9) or .gif (at most 50 frames a second) of all frames; the Sound pass as .wav "
+                   "(stereo, float32, 44.1 kHz) or .flac (24 bits)")
       ->required();
-  command->callback([options] { render(*options); });
+  command
+      ->add_option(
+          "--crf", options->output.crf,
+          "quality of a video, by its constant rate factor: 0 (lossless) to 51 (worst) for .mp4 (18), to "
+          "63 for .webm (24)")
+      ->check(CLI::NonNegativeNumber)
+      ->default_str("");
+  command
+      ->add_option(
+          "--chroma", options->chroma,
+          "420: a video keeps one colour for every four pixels, as all programs can play it; 444: it "
+          "keeps all")
+      ->check(CLI::IsMember({420, 444}));
+  command->add_option("--duration", options->duration,
+                      "seconds of a .wav or .flac, from --time on; the default is what shadertoy.com plays");
+  command->callback([options, command] {
+    options->output.full_chroma = options->chroma == 444;
+    options->output.quiet = options->quiet;
+    if (command->count("--fps") == 0 && media::is_video(options->output.name))
+      options->fps = std::min(options->fps, media::highest_rate(options->output.name));
+    render(*options);
+  });
 }
 
 }  // namespace shadertwin::app

@@ -48,10 +48,14 @@ Texture read_cubemap(const std::vector<std::filesystem::path>& faces, bool flip)
 // Error(file).
 Image read_image(const std::filesystem::path& file);
 
+// What glReadPixels gives of a canvas with 8 bits a channel: clamped to [0, 1], rounded, no conversion of
+// colours. NaN is 0.
+std::uint8_t canvas_byte(float value);
+
 // Writes a picture, by its extension: .exr keeps float32 RGBA bit for bit; .png is what a browser's canvas
-// shows, clamped to [0, 1] and rounded to 8 bits without a colour conversion (NaN becomes 0), with alpha
-// where some pixel's is below 1; .jpg likewise, without alpha, at quality 95. The file appears whole or not
-// at all. Throws Error(usage) for another extension, Error(file) when it can't be written.
+// shows (canvas_byte), with alpha where some pixel's is below 1; .jpg likewise, without alpha, at quality 95.
+// The file appears whole or not at all. Throws Error(usage) for another extension, Error(file) when it can't
+// be written.
 void write_image(const Image& image, const std::filesystem::path& file);
 
 // Whether write_image knows this extension.

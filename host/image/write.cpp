@@ -72,15 +72,9 @@ class CheckedStream : public OIIO::Filesystem::IOProxy {
   int failure_ = 0;
 };
 
-// What glReadPixels gives for an 8-bit canvas. In double, where 255 * value + 0.5 is exact.
-std::uint8_t to_byte(float value) {
-  if (!(value > 0)) return 0;  // also NaN
-  return static_cast<std::uint8_t>(std::min(255.0, std::floor(255.0 * value + 0.5)));
-}
-
 std::vector<std::uint8_t> to_bytes(const Image& image) {
   std::vector<std::uint8_t> bytes(image.rgba.size());
-  std::transform(image.rgba.begin(), image.rgba.end(), bytes.begin(), to_byte);
+  std::transform(image.rgba.begin(), image.rgba.end(), bytes.begin(), canvas_byte);
   return bytes;
 }
 
@@ -120,6 +114,12 @@ void encode(const fs::path& file, const OIIO::ImageSpec& spec, const void* rgba)
 }
 
 }  // namespace
+
+// In double, where 255 * value + 0.5 is exact.
+std::uint8_t canvas_byte(float value) {
+  if (!(value > 0)) return 0;
+  return static_cast<std::uint8_t>(std::min(255.0, std::floor(255.0 * value + 0.5)));
+}
 
 bool can_write(const fs::path& file) {
   return kind_of(file) != FileKind::unknown;

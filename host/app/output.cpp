@@ -1,0 +1,90 @@
+#include "host/app/output.h"
+
+#include <cstdio>
+#include <regex>
+
+#include "host/base/error.h"
+#include "host/base/output_file.h"
+#include "host/media/video_writer.h"
+
+namespace shadertwin::app {
+
+namespace {
+
+class LastPicture final : public Output {
+ public:
+  explicit LastPicture(std::string name) : name_(std::move(name)) { const OutputFile probe(name_); }
+  bool wants_every_frame() const override { return false; }
+  void add(const Image& picture) override { write_image(picture, name_); }
+  void finish() override {}
+
+ private:
+  std::string name_;
+};
+
+// frame_%04d.png: one place for the number, with the width and the zero of printf.
+const std::regex& number_pattern() {
+  static const std::regex pattern("%(0?)([0-9]?)d");
+  return pattern;
+}
+
+class NumberedPictures final : public Output {
+ public:
+  explicit NumberedPictures(std::string pattern) : pattern_(std::move(pattern)) {
+    const OutputFile probe(name(0));
+  }
+  bool wants_every_frame() const override { return true; }
+  void add(const Image& picture) override { write_image(picture, name(frames_++)); }
+  void finish() override {}
+
+ private:
+  std::string name(int frame) const {
+    std::smatch match;
+    std::regex_search(pattern_, match, number_pattern());
+    std::string digits = std::to_string(frame);
+    const std::size_t width = match[2].length() == 0 ? 0 : static_cast<std::size_t>(match[2].str()[0] - '0');
+    if (digits.size() < width) digits.insert(0, width - digits.size(), match[1].length() == 0 ? ' ' : '0');
+    return match.prefix().str() + digits + match.suffix().str();
+  }
+
+  std::string pattern_;
+  int frames_ = 0;
+};
+
+class Video final : public Output {
+ public:
+  Video(const OutputOptions& options, const media::VideoSettings& settings)
+      : writer_(media::VideoWriter::create(options.name, settings)) {
+    if (!options.quiet)
+      for (const std::string& warning : writer_->warnings()) std::fprintf(stderr, "%s\n", warning.c_str());
+  }
+  bool wants_every_frame() const override { return true; }
+  void add(const Image& picture) override { writer_->add(picture); }
+  void finish() override { writer_->finish(); }
+
+ private:
+  std::unique_ptr<media::VideoWriter> writer_;
+};
+
+}  // namespace
+
+std::unique_ptr<Output> open_output(const OutputOptions& options, glm::ivec2 size, double fps) {
+  const std::string& name = options.name;
+  if (media::is_video(name))
+    return std::make_unique<Video>(options, media::VideoSettings{.width = size.x,
+                                                                 .height = size.y,
+                                                                 .fps = fps,
+                                                                 .crf = options.crf,
+                                                                 .full_chroma = options.full_chroma});
+  if (!can_write(name))
+    throw Error(ExitStatus::usage,
+                name + ": the output must end in .png, .jpg, .exr, .mp4, .webm, .gif, .wav or .flac");
+  if (options.crf >= 0 || options.full_chroma)
+    throw Error(ExitStatus::usage, name + ": --crf and --chroma are for .mp4 and .webm");
+  const auto numbers = std::distance(std::sregex_iterator(name.begin(), name.end(), number_pattern()), {});
+  if (numbers > 1) throw Error(ExitStatus::usage, name + ": only one %d can be numbered");
+  if (numbers == 1) return std::make_unique<NumberedPictures>(name);
+  return std::make_unique<LastPicture>(name);
+}
+
+}  // namespace shadertwin::app

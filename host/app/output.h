@@ -1,0 +1,36 @@
+// Where the pictures of `render` go.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "host/image/image.h"
+#include "host/player/fixed_clock.h"
+
+namespace shadertwin::app {
+
+struct OutputOptions {
+  std::string name;  // as -o gives it
+  int crf = -1;      // of a video; below 0: its format's default
+  bool full_chroma = false;
+  bool quiet = false;  // no warnings on stderr
+};
+
+class Output {
+ public:
+  virtual ~Output() = default;
+  // Whether every frame's picture is wanted, or only the last one's.
+  virtual bool wants_every_frame() const = 0;
+  // Pictures of frames that are wanted, in order. Throws Error(file).
+  virtual void add(const Image& picture) = 0;
+  // After the last one. Throws Error(file).
+  virtual void finish() = 0;
+};
+
+// One picture for the last frame (a.png), a numbered one for every frame (frame_%04d.png), or a video. Throws
+// Error(usage) for a name or options that make no sense, Error(file) if it can't be written, and
+// Error(device) if this machine lacks an encoder: all of it before the work, not after.
+std::unique_ptr<Output> open_output(const OutputOptions& options, glm::ivec2 size, double fps);
+
+}  // namespace shadertwin::app
