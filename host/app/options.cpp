@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "host/base/error.h"
+#include "reference/emit/emit_defined.h"
 #include "reference/emit/emit_precise.h"
 
 namespace shadertwin::app {
@@ -71,6 +72,13 @@ void add_load_options(CLI::App& command, PlayOptions& o) {
       "--precise", o.precise,
       "play the shader as GLSL ES 3.20 with every computation precise: a GPU's compiler then keeps to "
       "the operations that the text states, as the CPU twin does");
+  command
+      .add_option(
+          "--init", o.init,
+          "zero: what a shader leaves undefined is what browsers make of it: variables and outputs that "
+          "nothing wrote and returns that are missing are zero, indices are clamped; raw: it is what the "
+          "device has there")
+      ->check(CLI::IsMember({"zero", "raw"}));
   command.add_option("--seed", o.seed, "the same as -D SEED=N: another stream of random numbers");
   command.add_option("--media", o.media, "the folder that holds the pictures a Shadertoy JSON names");
   command
@@ -159,6 +167,7 @@ LoadOptions make_load_options(const PlayOptions& o) {
   LoadOptions load_options;
   load_options.media = o.media;
   load_options.muted = o.mute;
+  load_options.zero_outputs = o.init == "zero";
   if (!o.dialect.empty()) load_options.dialect = o.dialect == "vscode" ? Dialect::vscode : Dialect::shadertoy;
   auto defines = o.defines;
   if (!o.seed.empty()) {
@@ -194,7 +203,13 @@ Project load(const PlayOptions& o) {
   Project project = load_project(o.shader, make_load_options(o));
   if (!o.quiet)
     for (const std::string& warning : project.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
-  return o.precise ? emit_precise(project) : project;
+  if (!o.precise) return project;
+  return emit_precise(o.init == "zero" ? emit_defined(project) : project);
+}
+
+std::function<Project(const Project&)> rewrite_for_gl(const PlayOptions& o) {
+  if (o.init != "zero" || o.precise) return {};
+  return emit_defined;
 }
 
 }  // namespace shadertwin::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct PlayOptions {
   bool precise = false;
   bool mute = false;
   std::string seed;
+  std::string init = "zero";
 };
 
 // SHADER and the options that change what is loaded.
@@ -57,6 +59,9 @@ Schedule make_schedule(const PlayOptions& options);
 LoadOptions make_load_options(const PlayOptions& options);
 // Index of the pass that --pass names, or of the last one.
 int chosen_pass(const Project& project, const PlayOptions& options);
+
+// What an OpenGL player compiles in place of the project's texts, by --init; none if they stay as they are.
+std::function<Project(const Project&)> rewrite_for_gl(const PlayOptions& options);
 
 // Loads the project and prints its warnings unless --quiet.
 Project load(const PlayOptions& options);

@@ -23,6 +23,7 @@ std::string options_text(const ViewCommand& o) {
   };
   for (const std::string& define : o.defines) add("-D", define);
   if (!o.seed.empty()) add("--seed", o.seed);
+  if (o.init != "zero") add("--init", o.init);
   return text;
 }
 
@@ -40,6 +41,7 @@ void run(const ViewCommand& o) {
   options.output = o.output;
   options.options_text = options_text(o);
   options.quiet = o.quiet;
+  options.player.rewrite = rewrite_for_gl(o);
   if (o.on == "auto" || o.on.starts_with("auto/"))
     options.player.dispatch = dispatch_of(o.on);
   else

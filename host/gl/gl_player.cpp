@@ -108,6 +108,7 @@ class GlPlayerImpl final : public GlPlayer {
     gl_.BindVertexArray(vertex_array_.name());
     gl_.Disable(GL_DITHER);
     passes_.resize(project_.passes.size());
+    if (options.rewrite) rewritten_ = options.rewrite(project_);
     for (std::size_t i = 0; i < passes_.size(); ++i) {
       if (project_.passes[i].kind == PassKind::sound) continue;
       compile(i, options.dispatch);
@@ -222,8 +223,7 @@ class GlPlayerImpl final : public GlPlayer {
   }
 
  private:
-  void compile(std::size_t index, Dispatch dispatch) {
-    const Pass& pass = project_.passes[index];
+  void make_program(std::size_t index, const Pass& pass, Dispatch dispatch) {
     PassState& state = passes_[index];
     const DeviceInfo& device = context_->info();
     if (dispatch == Dispatch::automatic)
@@ -236,6 +236,18 @@ class GlPlayerImpl final : public GlPlayer {
     }
     state.program =
         state.compute ? Program::compute(gl_, project_, pass) : Program::fragment(gl_, project_, pass);
+  }
+
+  void compile(std::size_t index, Dispatch dispatch) {
+    PassState& state = passes_[index];
+    const std::size_t warned = warnings_.size();
+    try {
+      make_program(index, rewritten_ ? rewritten_->passes[index] : project_.passes[index], dispatch);
+    } catch (const Error& error) {
+      if (!rewritten_ || error.status() != ExitStatus::shader) throw;
+      warnings_.resize(warned);
+      make_program(index, project_.passes[index], dispatch);
+    }
     const Program& program = *state.program;
     gl_.UseProgram(program.name());
     for (const UniformField& field : uniform_fields())
@@ -452,6 +464,7 @@ class GlPlayerImpl final : public GlPlayer {
   std::unique_ptr<Context> context_;  // before every object that lives in it
   const Functions& gl_;
   Project project_;
+  std::optional<Project> rewritten_;  // to be tried first
   VertexArrayObject vertex_array_;
   ChannelTextures textures_{gl_, project_};
   std::vector<PassState> passes_;

@@ -1,6 +1,7 @@
 // Plays a project on OpenGL.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "host/gl/context.h"
@@ -20,6 +21,9 @@ enum class Dispatch {
 struct PlayerOptions {
   Dispatch dispatch = Dispatch::automatic;
   bool timers = false;  // measure every pass on the GPU
+  // Given the project, gives the texts to compile, if not its own: pass i in place of pass i. A text that the
+  // driver refuses falls back to the project's.
+  std::function<Project(const Project&)> rewrite = {};
 };
 
 class GlPlayer : public Player {

@@ -26,8 +26,15 @@ const std::set<std::string> qualifiers = {"const",   "in",      "out",      "ino
 // Walks the tokens by the grammar of declarations and statements; expressions are only searched for names.
 class Scanner {
  public:
-  Scanner(const std::vector<Token>& tokens, std::vector<int>& declaration, std::vector<bool>& is_const)
-      : tokens_(tokens), declaration_(declaration), is_const_(is_const), types_(builtin_types()) {}
+  Scanner(const std::vector<Token>& tokens, std::vector<int>& declaration, std::vector<bool>& is_const,
+          std::vector<Variable>& variables, std::vector<FunctionBody>& functions, std::vector<ForLoop>& loops)
+      : tokens_(tokens),
+        declaration_(declaration),
+        is_const_(is_const),
+        variables_(variables),
+        functions_(functions),
+        loops_(loops),
+        types_(builtin_types()) {}
 
   void scan() {
     open_scope();
@@ -122,39 +129,46 @@ class Scanner {
     } while (depth > 0 && at_ < size());
   }
 
-  // Consumes qualifiers and type. Returns whether the type is const.
-  bool type() {
-    bool constant = false;
-    while (qualifiers.count(text(at_)) != 0) constant |= text(at_++) == "const";
-    if (next_is("layout")) {
-      ++at_;
-      expression_part();
-      return type() || constant;
+  // Consumes qualifiers and type: what the variables of one declaration have in common.
+  Variable type() {
+    Variable common;
+    while (qualifiers.count(text(at_)) != 0 || next_is("layout")) {
+      const std::string& qualifier = text(at_++);
+      common.is_const |= qualifier == "const";
+      common.is_in |= qualifier == "in" || qualifier == "inout";
+      common.is_out |= qualifier == "out" || qualifier == "inout";
+      common.is_uniform |= qualifier == "uniform";
+      if (qualifier == "layout") expression_part();
     }
+    common.type = at_;
     if (next_is("struct")) {
       struct_specifier();
     } else {
       ++at_;
     }
     skip_brackets();
-    return constant;
+    common.type_end = at_;
+    common.place = scopes_.size() > 1 ? Variable::Place::local : Variable::Place::global;
+    return common;
   }
 
-  void declarators(bool constant) {
+  void declarators(Variable variable) {
     while (is_identifier(text(at_))) {
-      const int name = at_++;
+      variable.name = at_++;
       skip_brackets();
+      variable.end = at_;
       // A name is visible after its initialiser: `float x = x;` reads the outer x.
-      if (accept("=")) expression(true);
-      declare(name, constant);
+      variable.initialised = accept("=");
+      if (variable.initialised) expression(true);
+      declare(variable.name, variable.is_const);
+      variables_.push_back(variable);
       if (!accept(",")) break;
     }
   }
 
   void simple_statement() {
     if (at_declaration()) {
-      const bool constant = type();
-      declarators(constant);
+      declarators(type());
     } else {
       expression(false);
     }
@@ -175,13 +189,17 @@ class Scanner {
       close_scope();
     } else if (t == "for") {
       open_scope();
-      ++at_;
+      ForLoop loop;
+      loop.open = ++at_;
       accept("(");
       simple_statement();
       simple_statement();
       expression(false);
+      loop.close = at_;
       accept(")");
       statement();
+      loop.end = at_;
+      loops_.push_back(loop);
       close_scope();
     } else if (t == "if" || t == "while" || t == "switch") {
       const bool is_if = t == "if";
@@ -217,21 +235,30 @@ class Scanner {
     close_scope();
   }
 
-  void block() {
+  // Returns where the last statement began.
+  int block() {
+    int last = ++at_;
+    while (at_ < size() && !next_is("}")) {
+      last = at_;
+      statement();
+    }
     ++at_;
-    while (at_ < size() && !next_is("}")) statement();
-    ++at_;
+    return last;
   }
 
   void parameters() {
     ++at_;
     while (at_ < size() && !next_is(")")) {
-      const bool constant = type();
+      Variable parameter = type();
+      parameter.place = Variable::Place::parameter;
       if (is_identifier(text(at_))) {
-        declare(at_, constant);
+        parameter.name = at_;
+        declare(at_, parameter.is_const);
         ++at_;
       }
       skip_brackets();
+      parameter.end = at_;
+      variables_.push_back(parameter);
       accept(",");
     }
     ++at_;
@@ -247,15 +274,25 @@ class Scanner {
       ++at_;
       return;
     }
-    const bool constant = type();
+    const Variable common = type();
     if (is_identifier(text(at_)) && text(at_ + 1) == "(") {
-      ++at_;
+      FunctionBody function;
+      function.type = common.type;
+      function.type_end = common.type_end;
+      function.name = at_++;
+      function.first_parameter = variables_.size();
       open_scope();
       parameters();
-      if (next_is("{")) block();
+      function.parameters = variables_.size() - function.first_parameter;
+      if (next_is("{")) {
+        function.open = at_;
+        function.returns_last = text(block()) == "return";
+        function.close = at_ - 1;
+        functions_.push_back(function);
+      }
       close_scope();
     } else {
-      declarators(constant);
+      declarators(common);
     }
     accept(";");
   }
@@ -263,6 +300,9 @@ class Scanner {
   const std::vector<Token>& tokens_;
   std::vector<int>& declaration_;
   std::vector<bool>& is_const_;
+  std::vector<Variable>& variables_;
+  std::vector<FunctionBody>& functions_;
+  std::vector<ForLoop>& loops_;
   std::set<std::string> types_;
   std::set<std::string> structs_;
   std::vector<Scope> scopes_;
@@ -273,7 +313,7 @@ class Scanner {
 
 Declarations::Declarations(const std::vector<Token>& tokens)
     : declaration_(tokens.size(), -1), is_const_(tokens.size(), false) {
-  Scanner(tokens, declaration_, is_const_).scan();
+  Scanner(tokens, declaration_, is_const_, variables_, functions_, loops_).scan();
 }
 
 }  // namespace shadertwin::emit

@@ -19,6 +19,9 @@ struct CppOptions {
 // with lines `file:line: error: text`.
 std::string emit_cpp(const Project& project, const Pass& pass, const CppOptions& options = {});
 
+// Changes with the emitter: what it made earlier may differ from what it would make now.
+const char* emit_identity();
+
 // The functions of a shader, with or without an entry point, as a header: free functions in the namespace
 // `name`, to be included by tests. Global variables and uniforms become variables of the thread that a test
 // may set. A function that is called alone has no neighbours: derivatives are zero and textures are read at

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "reference/emit/rewritten_lines.h"
 #include "reference/emit/syntax_tree.h"
 
 namespace shadertwin {
@@ -82,27 +83,15 @@ const std::set<std::string>& claimed_names() {
 class PreciseText {
  public:
   explicit PreciseText(const SyntaxTree& tree)
-      : tokens_(tree.tokens()),
-        declarations_(tree.declarations()),
-        before_(tokens_.size()),
-        after_(tokens_.size()) {
+      : tokens_(tree.tokens()), declarations_(tree.declarations()), edits_(tokens_) {
     for (int i = 0; i < size(); ++i) {
+      if (claimed_names().count(text(i)) != 0) after_[i] = "_";
       if (declarations_.is_declaration(i)) mark_declaration(i);
     }
     mark_statements();
   }
 
-  // The lines of the whole text, with `line_count` of them.
-  std::vector<std::string> lines(int line_count) const {
-    std::vector<std::string> lines(static_cast<std::size_t>(line_count));
-    for (int i = 0; i < size(); ++i) {
-      std::string& line = lines[static_cast<std::size_t>(std::clamp(tokens_[i].line, 1, line_count) - 1)];
-      const std::string& token = tokens_[i].text;
-      if (!line.empty()) line += ' ';
-      line += before_[i] + (claimed_names().count(token) != 0 ? token + '_' : token) + after_[i];
-    }
-    return lines;
-  }
+  std::vector<std::string> lines(int line_count) const { return edits_.lines(line_count); }
 
  private:
   int size() const { return static_cast<int>(tokens_.size()); }
@@ -205,20 +194,10 @@ class PreciseText {
 
   const std::vector<Token>& tokens_;
   const Declarations& declarations_;
-  std::vector<std::string> before_;
-  std::vector<std::string> after_;
+  RewrittenLines edits_;
+  std::vector<std::string>& before_ = edits_.before;
+  std::vector<std::string>& after_ = edits_.after;
 };
-
-int line_count(const std::string& text) {
-  return static_cast<int>(std::count(text.begin(), text.end(), '\n')) +
-         (!text.empty() && text.back() != '\n' ? 1 : 0);
-}
-
-std::string joined(const std::vector<std::string>& lines, int first, int count) {
-  std::string text;
-  for (int i = first; i < first + count; ++i) text += lines[static_cast<std::size_t>(i)] + '\n';
-  return text;
-}
 
 // The host's own output stays as it is written: the player that runs fragments as compute looks for it. What
 // it is given is precise already.
@@ -235,13 +214,11 @@ void keep_output(const std::string& head, std::vector<std::string>& lines) {
 
 PassSource precise_source(const Project& project, const PassSource& source) {
   const SyntaxTree tree(project, source, Folding::float32);
-  const int head = line_count(source.head);
-  const int body = line_count(source.body);
-  const int tail = line_count(source.tail);
-  std::vector<std::string> lines = PreciseText(tree).lines(head + body + tail);
+  const SectionLines sections(source);
+  std::vector<std::string> lines = PreciseText(tree).lines(sections.all());
   keep_output(source.head, lines);
   lines[0] = "#version 320 es";
-  return {joined(lines, 0, head), joined(lines, head, body), joined(lines, head + body, tail), source.lines};
+  return sections.split(lines);
 }
 
 }  // namespace

@@ -15,7 +15,9 @@ namespace {
 struct Frame {
   const Block* block = nullptr;
   int statement = 0;
-  std::vector<int> loops;  // the tokens where the loops between this block and the one around it begin
+  // The tokens where the rounds of the loops between this block and the one around it begin: behind the
+  // header of a `for`.
+  std::vector<int> loops;
   bool is_switch = false;  // C++ can't jump over what is declared here
 };
 
@@ -69,7 +71,7 @@ class UseCollector : public TIntermTraverser {
   }
 
   bool visitLoop(TVisit, TIntermLoop* node) override {
-    loops_.push_back(program_.tree().token_of(*node));
+    loops_.push_back(first_round(program_.tree().token_of(*node)));
     if (node->getTest() != nullptr) node->getTest()->traverse(this);
     if (node->getBody() != nullptr) node->getBody()->traverse(this);
     if (node->getTerminal() != nullptr) node->getTerminal()->traverse(this);
@@ -91,6 +93,13 @@ class UseCollector : public TIntermTraverser {
   }
 
  private:
+  int first_round(int keyword) const {
+    for (const ForLoop& loop : program_.tree().declarations().loops()) {
+      if (loop.open == keyword + 1) return loop.close;
+    }
+    return keyword;
+  }
+
   const Program& program_;
   std::set<SymbolId> parameters_;
   std::vector<Frame> frames_;

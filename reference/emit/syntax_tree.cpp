@@ -41,30 +41,32 @@ std::string log_by_line(const std::string& log, const std::vector<Token>& tokens
 
 }  // namespace
 
-SyntaxTree::SyntaxTree(const Project& project, const PassSource& source, Folding folding, Errors errors)
-    : project_(project),
-      source_(source),
-      head_lines_(static_cast<int>(std::count(source.head.begin(), source.head.end(), '\n'))) {
-  const EShMessages messages = messages_for(errors);
+std::vector<Token> preprocess(const Project& project, const PassSource& source, Errors errors) {
   const std::string text = source.text();
   const char* strings = text.c_str();
   glslang::TShader preprocessor(EShLangFragment);
   preprocessor.setStrings(&strings, 1);
   std::string preprocessed;
   glslang::TShader::ForbidIncluder no_includes;
-  if (!preprocessor.preprocess(GetDefaultResources(), version, EEsProfile, false, false, messages,
+  if (!preprocessor.preprocess(GetDefaultResources(), version, EEsProfile, false, false, messages_for(errors),
                                &preprocessed, no_includes))
     refuse(project, source, preprocessor.getInfoLog());
+  return split_tokens(preprocessed);
+}
 
-  tokens_ = split_tokens(preprocessed);
+SyntaxTree::SyntaxTree(const Project& project, const PassSource& source, Folding folding, Errors errors)
+    : project_(project),
+      source_(source),
+      head_lines_(static_cast<int>(std::count(source.head.begin(), source.head.end(), '\n'))) {
+  tokens_ = preprocess(project, source, errors);
   is_precise_ =
       std::any_of(tokens_.begin(), tokens_.end(), [](const Token& t) { return t.text == "precise"; });
   const std::string lines = one_token_a_line(tokens_);
-  strings = lines.c_str();
+  const char* strings = lines.c_str();
   shader_ = std::make_unique<glslang::TShader>(EShLangFragment);
   shader_->setStrings(&strings, 1);
   const ConstantFolding guard(folding);
-  if (!shader_->parse(GetDefaultResources(), version, EEsProfile, false, false, messages))
+  if (!shader_->parse(GetDefaultResources(), version, EEsProfile, false, false, messages_for(errors)))
     refuse(project, source, log_by_line(shader_->getInfoLog(), tokens_));
   root_ = shader_->getIntermediate()->getTreeRoot()->getAsAggregate();
   declarations_ = std::make_unique<Declarations>(tokens_);

@@ -30,6 +30,10 @@ class ParserLibrary {
   ParserLibrary& operator=(const ParserLibrary&) = delete;
 };
 
+// The tokens of a pass's whole text, preprocessed. Throws Error(shader). Needs a ParserLibrary.
+std::vector<Token> preprocess(const Project& project, const PassSource& source,
+                              Errors errors = Errors::first);
+
 class SyntaxTree {
  public:
   // Parses a pass's whole text, `#version 300 es` or `#version 320 es`. Throws Error(shader) with lines

@@ -177,7 +177,7 @@ class TwinPlayerImpl final : public TwinPlayer {
   }
 
   static std::string cache_key(const Project& project, const Pass& pass, const CppOptions& emit) {
-    std::string key = std::string(emit.double_precision ? "double" : "float") +
+    std::string key = emit_identity() + std::string(emit.double_precision ? " double" : " float") +
                       (emit.loop_guards ? " guarded" : "") + (emit.checks ? " checked" : "");
     for (const std::string& file : project.files) key += '\n' + file;  // #line names them
     for (const SourceLine& line : pass.source.lines)

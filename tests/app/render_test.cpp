@@ -46,6 +46,20 @@ TEST_F(Render, TileDrawsOnlyItsPixelsOnTheTwin) {
     }
 }
 
+TEST_F(Render, DefinesWhatTheShaderLeavesUndefinedUnlessAskedNotTo) {
+  folder.write(
+      "undefined.glsl",
+      "float list[3] = float[](1., 2., 3.);\nfloat none(float x) { if (x > 99.) return 1.; }\n"
+      "void mainImage(out vec4 c, in vec2 p) { float x; c.xy = vec2(x + list[iFrame + 7], none(p.x)); }");
+  for (const std::string on : {"egl/fragment", "egl/compute", "osmesa", "cpu"}) {
+    ASSERT_EQ(run(folder, "render undefined.glsl --size 4x4 -o a.exr --quiet --on " + on).err, "");
+    const Image image = read_image(folder / "a.exr");
+    EXPECT_EQ(std::vector<float>(image.at(2, 1), image.at(2, 1) + 4), (std::vector<float>{3, 0, 0, 0})) << on;
+  }
+  EXPECT_EQ(run(folder, "render undefined.glsl --size 4x4 -o a.exr --init raw").status, 0);
+  EXPECT_EQ(run(folder, "render undefined.glsl --size 4x4 -o a.exr --init ones").status, 2);
+}
+
 TEST_F(Render, TimeoutEndsAnEndlessLoopOnTheTwin) {
   folder.write("endless.glsl",
                "void mainImage(out vec4 c, in vec2 p) {\n"

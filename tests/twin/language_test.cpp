@@ -9,6 +9,7 @@
 
 #include "host/gl/gl_player.h"
 #include "host/player/fixed_clock.h"
+#include "reference/emit/emit_defined.h"
 #include "reference/emit/emit_precise.h"
 #include "reference/twin/twin_player.h"
 
@@ -56,7 +57,8 @@ class Language : public testing::TestWithParam<fs::path> {};
 
 void expect_same_frames(const Project& project, float relative) {
   const auto twin = twin::TwinPlayer::create(project);
-  const auto gl = gl::GlPlayer::create(gl::open_context("egl"), project, {gl::Dispatch::fragment});
+  const auto gl = gl::GlPlayer::create(gl::open_context("egl"), project,
+                                       {.dispatch = gl::Dispatch::fragment, .rewrite = emit_defined});
   Schedule schedule;
   schedule.width = 17;
   schedule.height = 9;

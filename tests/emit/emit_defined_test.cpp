@@ -1,0 +1,116 @@
+// What the text of a shader looks like whose every value is defined. What it draws is compared with the twin
+// in tests/twin and with a browser in tests/web.
+#include "reference/emit/emit_defined.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/scratch_folder.h"
+
+namespace shadertwin {
+namespace {
+
+constexpr const char* image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.0); }\n";
+
+// The pass with this body, as a host wraps it.
+Project project_of(const std::string& body) {
+  const ScratchFolder folder;
+  return load_project(folder.write("shader.glsl", body + image), {.zero_outputs = false});
+}
+
+std::string defined(const std::string& body) {
+  const std::string text = emit_defined(project_of(body)).passes[0].source.body;
+  return text.substr(0, text.find("void mainImage"));
+}
+
+TEST(EmitDefined, StartsVariablesAtZero) {
+  EXPECT_EQ(defined("vec3 g, h = vec3(1.0); const float k = 1.0; uniform int u;\n"),
+            "vec3 g = vec3(0) , h = vec3 ( 1.0 ) ; const float k = 1.0 ; uniform int u ;\n");
+  EXPECT_EQ(defined("void f() { bvec2 b; for (float i, z; i < 1.0; i++) uint u; }\n"),
+            "void f ( ) { bvec2 b = bvec2(false) ; for ( float i = 0.0 , z = 0.0 ; i < 1.0 ; i ++ ) uint u = "
+            "0u ; }\n");
+}
+
+TEST(EmitDefined, StartsArraysAndStructuresAtZero) {
+  EXPECT_EQ(
+      defined("const int N = 3;\nstruct S { mat2 m, n; float f[N - 1]; };\nS s, t[2]; int[N] i;\n"),
+      "const int N = 3 ;\nstruct S { mat2 m , n ; float f [ N - 1 ] ; } ;\n"
+      "S s = S(mat2(0), mat2(0), float[2](0.0, 0.0)) , "
+      "t [ 2 ] = S[2](S(mat2(0), mat2(0), float[2](0.0, 0.0)), S(mat2(0), mat2(0), float[2](0.0, 0.0))) ; "
+      "int [ N ] i = int[3](0, 0, 0) ;\n");
+}
+
+TEST(EmitDefined, ClearsLongArraysByALoop) {
+  EXPECT_EQ(defined("void f() { float a[999], b; b = a[0]; }\n"),
+            "void f ( ) { float a [ 999 ] , b = 0.0 ; for (int shadertwin_i = 0; shadertwin_i < a.length(); "
+            "++shadertwin_i) a[shadertwin_i] = 0.0; b = a [ 0 ] ; }\n");
+  const std::string tail = emit_defined(project_of("float g[999];\n")).passes[0].source.tail;
+  EXPECT_NE(tail.find("void main ( ) { for (int shadertwin_i = 0; shadertwin_i < g.length();"),
+            std::string::npos)
+      << tail;
+}
+
+TEST(EmitDefined, ClearsOutputsWhereTheirFunctionStarts) {
+  EXPECT_EQ(defined("struct S { int i; };\nvoid f(out S s, inout vec2 v, out float a[2]);\n"
+                    "void f(out S s, inout vec2 v, out float a[2]) { }\n"),
+            "struct S { int i ; } ;\nvoid f ( out S s , inout vec2 v , out float a [ 2 ] ) ;\n"
+            "void f ( out S s , inout vec2 v , out float a [ 2 ] ) { s = S(0); a = float[2](0.0, 0.0); }\n");
+}
+
+TEST(EmitDefined, ReturnsZeroWhereAFunctionEnds) {
+  EXPECT_EQ(defined("vec2 f(int i) { if (i > 0) return vec2(i); }\n"),
+            "vec2 f ( int i ) { if ( i > 0 ) return vec2 ( i ) ; return vec2(0); }\n");
+  EXPECT_EQ(defined("int f(int i) { if (i > 0) i++; return i; }\nvoid g() { return; }\n"),
+            "int f ( int i ) { if ( i > 0 ) i ++ ; return i ; }\nvoid g ( ) { return ; }\n");
+}
+
+TEST(EmitDefined, ClampsIndicesThatAreNoConstants) {
+  EXPECT_EQ(
+      defined(
+          "const float t[3] = float[3](1.0, 2.0, 3.0);\n"
+          "float f(int i, mat4 m, vec2 v) { return t[i] + m[i + 1][2] + v[t[i] > 1.0 ? i : 0] + t[2]; }\n"),
+      "const float t [ 3 ] = float [ 3 ] ( 1.0 , 2.0 , 3.0 ) ;\n"
+      "float f ( int i , mat4 m , vec2 v ) { return t [shadertwin_at( i , 2)] + "
+      "m [shadertwin_at(( i + 1 ), 3)] [ 2 ] + "
+      "v [shadertwin_at(( t [shadertwin_at( i , 2)] > 1.0 ? i : 0 ), 1)] + t [ 2 ] ; }\n");
+}
+
+TEST(EmitDefined, LeavesIndicesThatALoopKeepsInside) {
+  const auto clamps = [](const std::string& loop) {
+    const std::string text =
+        defined("void h(inout int i);\nfloat f() { float a[4], s; " + loop + " return s; }\n");
+    return text.find("shadertwin_at") != std::string::npos;
+  };
+  EXPECT_FALSE(clamps("for (int i = 0; i < 4; i++) s += a[i];"));
+  EXPECT_FALSE(clamps("for (int i = 3; i >= 0; --i) s += a[i];"));
+  EXPECT_FALSE(clamps("for (int i = 0; i < a.length(); ++i) s += a[i];"));
+  EXPECT_TRUE(clamps("for (int i = 0; i < 5; i++) s += a[i];"));
+  EXPECT_TRUE(clamps("for (int i = 0; i <= 4; i++) s += a[i];"));
+  EXPECT_TRUE(clamps("for (int i = -1; i < 4; i++) s += a[i];"));
+  EXPECT_TRUE(clamps("for (int i = 0; i < 4; i++) { i += 3; s += a[i]; }"));
+  EXPECT_TRUE(clamps("for (int i = 0; i < 4; i++) { h(i); s += a[i]; }"));
+  EXPECT_TRUE(clamps("for (int i = 0; i < 4; i += 3) s += a[i];"));
+}
+
+TEST(EmitDefined, KeepsEveryLineWhereItWas) {
+  const std::string body =
+      "#define LOOP(x) for (int i; i < \\\n 3; i++) { x; }\n\nfloat f()\n{\n  float a;\n  LOOP(a += 1.0)\n  "
+      "return a;\n}\n";
+  const Project before = project_of(body);
+  const Project after = emit_defined(before);
+  const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
+  EXPECT_EQ(lines(after.passes[0].source.head), lines(before.passes[0].source.head));
+  EXPECT_EQ(lines(after.passes[0].source.body), lines(before.passes[0].source.body));
+  EXPECT_EQ(defined(body),
+            "\n\n\nfloat f ( )\n{\nfloat a = 0.0 ;\nfor ( int i = 0 ; i < 3 ; i ++ ) { a += 1.0 ; }\nreturn "
+            "a ;\n}\n");
+}
+
+TEST(EmitDefined, LeavesWhatItCannotReadToTheDriver) {
+  const Project project = project_of("#if 1\n");
+  EXPECT_EQ(emit_defined(project).passes[0].source.text(), project.passes[0].source.text());
+}
+
+}  // namespace
+}  // namespace shadertwin
