@@ -1,123 +1,21 @@
 #include "host/project/browser_text.h"
 
 #include <algorithm>
-#include <array>
+#include <map>
 #include <set>
-#include <span>
 #include <vector>
 
+#include "host/project/browser_names.h"
 #include "host/project/tokens.h"
 
 namespace shadertwin {
 
 namespace {
 
-constexpr std::string_view later_words[] = {"packed",
-                                            "shared",
-                                            "buffer",
-                                            "precise",
-                                            "dmat2",
-                                            "dmat3",
-                                            "dmat4",
-                                            "dmat2x2",
-                                            "dmat2x3",
-                                            "dmat2x4",
-                                            "dmat3x2",
-                                            "dmat3x3",
-                                            "dmat3x4",
-                                            "dmat4x2",
-                                            "dmat4x3",
-                                            "dmat4x4",
-                                            "samplerCubeArray",
-                                            "samplerCubeArrayShadow",
-                                            "isamplerCubeArray",
-                                            "usamplerCubeArray"};
+const std::set<std::string_view> qualifiers = {"const", "in", "out", "inout", "lowp", "mediump", "highp"};
 
-// Built-in functions of GLSL ES 3.10 and 3.20, and of 1.00 with its extensions.
-constexpr std::string_view other_builtins[] = {"bitfieldExtract",
-                                               "bitfieldInsert",
-                                               "bitfieldReverse",
-                                               "bitCount",
-                                               "findLSB",
-                                               "findMSB",
-                                               "frexp",
-                                               "ldexp",
-                                               "uaddCarry",
-                                               "usubBorrow",
-                                               "umulExtended",
-                                               "imulExtended",
-                                               "packUnorm4x8",
-                                               "packSnorm4x8",
-                                               "unpackUnorm4x8",
-                                               "unpackSnorm4x8",
-                                               "textureGather",
-                                               "textureGatherOffset",
-                                               "textureGatherOffsets",
-                                               "imageLoad",
-                                               "imageStore",
-                                               "imageSize",
-                                               "imageAtomicAdd",
-                                               "imageAtomicMin",
-                                               "imageAtomicMax",
-                                               "imageAtomicAnd",
-                                               "imageAtomicOr",
-                                               "imageAtomicXor",
-                                               "imageAtomicExchange",
-                                               "imageAtomicCompSwap",
-                                               "atomicAdd",
-                                               "atomicMin",
-                                               "atomicMax",
-                                               "atomicAnd",
-                                               "atomicOr",
-                                               "atomicXor",
-                                               "atomicExchange",
-                                               "atomicCompSwap",
-                                               "atomicCounter",
-                                               "atomicCounterIncrement",
-                                               "atomicCounterDecrement",
-                                               "barrier",
-                                               "memoryBarrier",
-                                               "memoryBarrierAtomicCounter",
-                                               "memoryBarrierBuffer",
-                                               "memoryBarrierImage",
-                                               "memoryBarrierShared",
-                                               "groupMemoryBarrier",
-                                               "fma",
-                                               "interpolateAtCentroid",
-                                               "interpolateAtSample",
-                                               "interpolateAtOffset",
-                                               "texture1D",
-                                               "texture1DProj",
-                                               "texture1DLod",
-                                               "texture1DProjLod",
-                                               "texture2D",
-                                               "texture2DProj",
-                                               "texture2DLod",
-                                               "texture2DProjLod",
-                                               "texture3D",
-                                               "texture3DProj",
-                                               "texture3DLod",
-                                               "texture3DProjLod",
-                                               "textureCube",
-                                               "textureCubeLod",
-                                               "shadow1D",
-                                               "shadow2D",
-                                               "shadow1DProj",
-                                               "shadow2DProj",
-                                               "shadow1DLod",
-                                               "shadow2DLod",
-                                               "texture2DRect",
-                                               "texture2DRectProj"};
-
-constexpr std::string_view qualifiers[] = {"const", "in", "out", "inout", "lowp", "mediump", "highp"};
-
-constexpr std::string_view value_types[] = {
-    "float",  "vec2",   "vec3",   "vec4",   "int",    "ivec2",  "ivec3",  "ivec4", "uint", "uvec2",
-    "uvec3",  "uvec4",  "bool",   "bvec2",  "bvec3",  "bvec4",  "mat2",   "mat3",  "mat4", "mat2x2",
-    "mat2x3", "mat2x4", "mat3x2", "mat3x3", "mat3x4", "mat4x2", "mat4x3", "mat4x4"};
-
-bool among(std::span<const std::string_view> names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+bool is_precision(const Token& token) {
+  return token.is("lowp") || token.is("mediump") || token.is("highp");
 }
 
 struct Edit {
@@ -133,16 +31,24 @@ class Rewriter {
 
   std::string run() {
     find_declared();
+    rename_variables();
+    rename_open_builtins();
     const bool by_macro = zero_outputs_ && macro_makes_image();
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       const Token& token = tokens_[i];
       if (by_macro && opens_image(i)) edits_.push_back({tokens_[i + 2].begin, 0, "in"});
       if (token.preprocessor && token.first && token.is("#")) fix_directive(i);
       if (token.kind == Token::Kind::identifier &&
-          (among(later_words, token.text) || renamed_.contains(token.text)))
+          (later_words().contains(token.text) || renamed_.contains(token.text)))
         edits_.push_back({token.begin, 0, "shadertwin_"});
       if (token.kind == Token::Kind::identifier && token.text.starts_with("iCh")) fix_channel_struct(i);
       if (token.is("(") && opens_function(i)) fix_function(i);
+      if (token.is("precision") && !token.preprocessor) drop_precision(i);
+      if (is_precision(token) && !token.preprocessor) drop(i);
+      if (token.kind == Token::Kind::string || token.kind == Token::Kind::open_string) drop_quotes(token);
+      if (one_parameter_.contains(token.text) && i + 2 < tokens_.size() && tokens_[i + 1].is("(") &&
+          tokens_[i + 2].is(")"))
+        edits_.push_back({tokens_[i + 2].begin, 0, "shadertwin_nothing"});
     }
     return apply();
   }
@@ -173,10 +79,107 @@ class Rewriter {
 
   void find_declared() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (tokens_[i].is("(") && opens_function(i) && among(other_builtins, tokens_[i - 1].text))
+      if (tokens_[i].is("(") && opens_function(i) && other_builtins().contains(tokens_[i - 1].text))
         renamed_.insert(tokens_[i - 1].text);
-      if (i >= 2 && tokens_[i - 1].is("define") && tokens_[i - 2].is("#")) macros_.insert(tokens_[i].text);
+      if (i < 2 || !tokens_[i - 1].is("define") || !tokens_[i - 2].is("#")) continue;
+      macros_.insert(tokens_[i].text);
+      if (i + 3 < tokens_.size() && tokens_[i + 1].is("(") && tokens_[i + 1].begin == tokens_[i].end() &&
+          is_word(i + 2) && tokens_[i + 3].is(")"))
+        one_parameter_.insert(tokens_[i].text);
     }
+  }
+
+  void drop(std::size_t i) { edits_.push_back({tokens_[i].begin, tokens_[i].text.size(), ""}); }
+
+  // `precision mediump float;`, but for types that the head gives none.
+  void drop_precision(std::size_t i) {
+    if (i + 3 >= tokens_.size() || !is_precision(tokens_[i + 1]) || !tokens_[i + 3].is(";")) return;
+    const Token& type = tokens_[i + 2];
+    const bool known = type.is("float") || type.is("int") || type.is("sampler2D") || type.is("sampler3D") ||
+                       type.is("samplerCube");
+    if (!known) return;
+    drop(i);
+    drop(i + 2);
+    drop(i + 3);
+  }
+
+  void drop_quotes(const Token& token) {
+    for (std::size_t i = 0; i < token.text.size(); ++i)
+      if (token.text[i] == '"' || token.text[i] == '\'') edits_.push_back({token.begin + i, 1, " "});
+  }
+
+  void rename(std::size_t i) { edits_.push_back({tokens_[i].begin, 0, "shadertwin_"}); }
+
+  // A global variable may have a built-in function's name: from there on, whatever is not called means it.
+  void rename_variables() {
+    std::set<std::string_view> names;
+    int depth = 0;
+    for (std::size_t i = 1; i + 1 < tokens_.size(); ++i) {
+      const Token& token = tokens_[i];
+      const Token& next = tokens_[i + 1];
+      if (token.is("{") || token.is("(")) depth += token.preprocessor ? 0 : 1;
+      if (token.is("}") || token.is(")")) depth -= token.preprocessor ? 0 : 1;
+      if (!is_word(i) || !builtins().contains(token.text)) continue;
+      const Token& before = tokens_[i - 1];
+      const bool declared = depth == 0 && !token.preprocessor && !before.preprocessor &&
+                            (is_word(i - 1) || before.is("]") || before.is(",")) &&
+                            (next.is("=") || next.is(";") || next.is(",") || next.is("["));
+      if (declared) names.insert(token.text);
+      if (names.contains(token.text) && !next.is("(") && !before.is(".")) rename(i);
+    }
+  }
+
+  // The types of the parameters in the parentheses that open at `open`, each followed by a comma.
+  std::string signature(std::size_t open) const {
+    std::string types;
+    bool wanted = true;
+    for (std::size_t i = open + 1; i < tokens_.size() && !tokens_[i].is(")"); ++i) {
+      if (tokens_[i].is(",")) wanted = true;
+      if (!wanted || !is_word(i) || qualifiers.contains(tokens_[i].text)) continue;
+      types += std::string(tokens_[i].text) + ",";
+      wanted = false;
+    }
+    return types;
+  }
+
+  // Functions named as built-ins that browsers let a shader define again: they and the built-ins that they
+  // don't hide become functions of one other name.
+  void rename_open_builtins() {
+    std::map<std::string_view, std::set<std::string>> own;
+    std::map<std::string_view, std::size_t> first;
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      if (!tokens_[i].is("(") || !opens_function(i)) continue;
+      const std::string_view name = tokens_[i - 1].text;
+      const auto& overloads = open_builtins();
+      if (std::none_of(overloads.begin(), overloads.end(), [&](const Overload& o) { return o.name == name; }))
+        continue;
+      own[name].insert(signature(i));
+      first.emplace(name, i - 2);
+    }
+    for (const auto& [name, place] : first) {
+      edits_.push_back({tokens_[place].begin, 0, forwarders(name, own[name])});
+      for (std::size_t i = place; i + 1 < tokens_.size(); ++i)
+        if (tokens_[i].is(name) && tokens_[i + 1].is("(")) rename(i);
+    }
+  }
+
+  static std::string forwarders(std::string_view name, const std::set<std::string>& own) {
+    std::string text;
+    for (const Overload& overload : open_builtins()) {
+      if (overload.name != name) continue;
+      std::string types, parameters, arguments;
+      for (const std::string_view type : overload.parameters) {
+        const std::string comma = types.empty() ? "" : ", ";
+        const std::string parameter(1, static_cast<char>('a' + std::count(types.begin(), types.end(), ',')));
+        types.append(type) += ',';
+        parameters += comma + std::string(type) + " " + parameter;
+        arguments += comma + parameter;
+      }
+      if (own.contains(types)) continue;
+      text += std::string(overload.result) + " shadertwin_" + std::string(name) + "(" + parameters +
+              ") { return " + std::string(name) + "(" + arguments + "); } ";
+    }
+    return text;
   }
 
   void fix_channel_struct(std::size_t i) {
@@ -239,7 +242,7 @@ class Rewriter {
 
   void fix_parameter(std::size_t begin, std::size_t end, std::string& zeros) {
     bool out = false;
-    for (; begin < end && among(qualifiers, tokens_[begin].text); ++begin)
+    for (; begin < end && qualifiers.contains(tokens_[begin].text); ++begin)
       out = out || tokens_[begin].is("out");
     if (begin >= end || !is_word(begin)) return;
     const std::string_view type = tokens_[begin].text;
@@ -249,9 +252,9 @@ class Rewriter {
     const bool unnamed = begin + 1 == end || (tokens_[begin + 1].is("[") && tokens_[end - 1].is("]"));
     if (unnamed && type != "void" && !macros_.contains(type)) {
       edits_.push_back({tokens_[end - 1].end(), 0, " shadertwin_unnamed_" + std::to_string(unnamed_++)});
-    } else if (out && !array && begin + 2 == end && among(value_types, type) && !macros_.contains(type)) {
+    } else if (out && !array && begin + 2 == end && value_types().contains(type) && !macros_.contains(type)) {
       const std::string name(tokens_[begin + 1].text);
-      const bool word = among(later_words, name);
+      const bool word = later_words().contains(name);
       zeros += " " + std::string(word ? "shadertwin_" : "") + name + " = " + std::string(type) + "(0);";
     }
   }
@@ -275,13 +278,17 @@ class Rewriter {
   std::vector<Edit> edits_;
   std::set<std::string_view> renamed_;
   std::set<std::string_view> macros_;
+  std::set<std::string_view> one_parameter_;  // macros
   int unnamed_ = 0;
 };
 
 }  // namespace
 
 std::string as_in_a_browser(std::string_view text, bool zero_outputs) {
-  return Rewriter(text, zero_outputs).run();
+  std::string spaced(text);
+  std::replace_if(
+      spaced.begin(), spaced.end(), [](char c) { return c == '\v' || c == '\f'; }, ' ');
+  return Rewriter(spaced, zero_outputs).run();
 }
 
 }  // namespace shadertwin

@@ -15,6 +15,13 @@ namespace shadertwin {
 //   (`texture2D` ...), get the prefix "shadertwin_";
 // - a function's parameter without a name gets one;
 // - what follows #else, #endif and the name of #ifdef or #ifndef is dropped, and so is a # in a macro's text;
+// - `lowp`, `mediump`, `highp` and `precision` go: the head asks for highp, and declarations that differ in
+//   precision only are taken for different functions elsewhere;
+// - quotes go: browsers never read what the preprocessor skips;
+// - a global variable named as a built-in function gets the prefix, and so do functions that overload those
+//   few built-ins which browsers leave open (`mix`, `texture` ...);
+// - a macro of one parameter that is called with nothing is called with shadertwin_nothing, which the head
+//   defines;
 // - shadertoy.com's iChN.sampler, .size, .time and .loaded become iChannelN, iChannelResolution[N],
 // iChannelTime[N] and
 //   shadertwin_loaded_N (0 or 1);

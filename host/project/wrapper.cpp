@@ -193,6 +193,7 @@ void wrap_pass(const Project& project, Pass& pass, const WrapOptions& options) {
     add_shadertoy(head, project, pass);
   else
     add_vscode(head, project, pass, options);
+  if (mentions(tokens, "shadertwin_nothing")) head.line("#define shadertwin_nothing");
   if (!entry.output) head.line("layout(location = 0) out vec4 shadertoy_out_color;");
   if (asserts) head.text(assert_text());
   if (!main && shadertoy) head.line("#define gl_FragColor shadertoy_out_color");

@@ -43,7 +43,7 @@ TEST(BrowserText, DropsAHashInAMacro) {
 
 TEST(BrowserText, ZeroesOutputsWhereTheirFunctionStarts) {
   EXPECT_EQ(as_in_a_browser("void f(out vec3 a, inout vec2 b, out lowp int c)\n{", true),
-            "void f(out vec3 a, inout vec2 b, out lowp int c)\n{ a = vec3(0); c = int(0);");
+            "void f(out vec3 a, inout vec2 b, out  int c)\n{ a = vec3(0); c = int(0);");
   EXPECT_EQ(as_in_a_browser("void f(out T a, out float b[2], out float[2] c) {", true),
             "void f(out T a, out float b[2], out float[2] c) {");
   EXPECT_EQ(as_in_a_browser("void f(out vec3 a) {", false), "void f(out vec3 a) {");
@@ -54,6 +54,42 @@ TEST(BrowserText, LeavesWhatThePreprocessorChoosesAlone) {
   EXPECT_EQ(as_in_a_browser(text, true), text);
   const std::string parameters = "void f(out vec3 a\n#if A\n, out vec3 b\n#endif\n) {";
   EXPECT_EQ(as_in_a_browser(parameters, true), parameters);
+}
+
+TEST(BrowserText, DropsPrecisions) {
+  EXPECT_EQ(as_in_a_browser("precision highp int;\nlowp vec2 f(mediump float x);", true),
+            "  \n vec2 f( float x);");
+  EXPECT_EQ(as_in_a_browser("precision  sampler2DArray;", true), "precision  sampler2DArray;");
+  EXPECT_EQ(as_in_a_browser("#define P precision highp int;\n", true), "#define P precision highp int;\n");
+}
+
+TEST(BrowserText, DropsQuotesAndOddSpaces) {
+  EXPECT_EQ(as_in_a_browser("#if 0\ndon't \"\n'a \"b'\n#endif\f\v", true),
+            "#if 0\ndon t  \n a  b \n#endif  ");
+}
+
+TEST(BrowserText, RenamesGlobalVariablesNamedAsBuiltins) {
+  EXPECT_EQ(as_in_a_browser("float a = step(1., 2.), step = .1;\nvoid f() { a = step; t.step(0); }", true),
+            "float a = step(1., 2.), shadertwin_step = .1;\nvoid f() { a = shadertwin_step; t.step(0); }");
+  EXPECT_EQ(as_in_a_browser("void f(float step) { float mix = step; }", true),
+            "void f(float step) { float mix = step; }");
+}
+
+TEST(BrowserText, RenamesOverloadsOfOpenBuiltinsAndForwardsTheOthers) {
+  const std::string text = as_in_a_browser(
+      "float mix(float a, in float b, float t) { return a; }\nvoid f() { mix(a, b, c); }", true);
+  EXPECT_EQ(text.find("float shadertwin_mix(float a, float b, float c)"), std::string::npos) << text;
+  EXPECT_NE(text.find("vec2 shadertwin_mix(vec2 a, vec2 b, float c) { return mix(a, b, c); } "),
+            std::string::npos);
+  EXPECT_NE(text.find("float shadertwin_mix(float a, in float b, float t) { return a; }\nvoid f() { "
+                      "shadertwin_mix(a, b, c); }"),
+            std::string::npos)
+      << text;
+}
+
+TEST(BrowserText, GivesMacrosOfOneParameterSomethingEmpty) {
+  EXPECT_EQ(as_in_a_browser("#define G(x) x\n#define H() 1\nG() G(1) H()", true),
+            "#define G(x) x\n#define H() 1\nG(shadertwin_nothing) G(1) H()");
 }
 
 TEST(BrowserText, LetsTheHostSetTheColourThatAMacroDeclares) {
