@@ -1,6 +1,7 @@
 #include "host/player/moving_input.h"
 
 #include "host/player/audio_input.h"
+#include "host/player/video_input.h"
 
 namespace shadertwin {
 
@@ -18,6 +19,10 @@ std::unique_ptr<MovingInput> MovingInputs::make(const Input& input) {
     case InputKind::music:
     case InputKind::microphone:
       return open_audio_input(project_, input, warnings_);
+    case InputKind::video:
+      return open_video_input(input, warnings_);
+    case InputKind::webcam:
+      return open_webcam_input(input, warnings_);
     default:
       return nullptr;
   }

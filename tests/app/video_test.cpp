@@ -67,5 +67,36 @@ TEST_F(RenderVideo, RefusalsAreOneLineAndLeaveNothing) {
            "trap '' XFSZ; ulimit -f 8;");
 }
 
+TEST(VideoInput, IsTheSameForOpenGlAndTheTwin) {
+  const ScratchFolder folder;
+  folder.write("rings.glsl",
+               "void mainImage(out vec4 c, in vec2 p) { c = vec4(fract(length(p) * .1 - iTime * vec3(1, 2, "
+               "3)), 1); }\n");
+  ASSERT_EQ(run(folder, "render rings.glsl --size 48x32 --frames 8 --fps 8 -o a.mp4").err, "");
+  folder.write(
+      "show.glsl",
+      "#iChannel0 \"a.mp4\"\n#iChannel0::MinFilter \"LinearMipMapLinear\"\n"
+      "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p / iResolution.xy * 3.); }\n");
+  const Outcome outcome =
+      run(folder, "compare show.glsl --on osmesa --on cpu --size 32x32 --frames 11 --fps 8 --json r.json");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find("r   100.0000 %"), std::string::npos) << outcome.out;
+}
+
+TEST(VideoInput, BadFilesAreOneLine) {
+  const ScratchFolder folder;
+  folder.write(
+      "show.glsl",
+      "#iChannel0 \"a.mp4\"\nvoid mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }\n");
+  for (const char* content : {"", "no video"}) {
+    folder.write("a.mp4", content);
+    const Outcome outcome = run(folder, "render show.glsl --size 4x4 -o a.png");
+    EXPECT_EQ(outcome.status, 4);
+    EXPECT_EQ(outcome.error_lines(), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("a.mp4"), std::string::npos) << outcome.err;
+  }
+}
+
 }  // namespace
 }  // namespace shadertwin
