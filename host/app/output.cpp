@@ -60,6 +60,8 @@ class Video final : public Output {
   }
   bool wants_every_frame() const override { return true; }
   void add(const Image& picture) override { writer_->add(picture); }
+  bool wants_sound() const override { return writer_->has_sound(); }
+  void add_sound(std::span<const float> samples) override { writer_->add_sound(samples); }
   void finish() override { writer_->finish(); }
 
  private:
@@ -71,11 +73,13 @@ class Video final : public Output {
 std::unique_ptr<Output> open_output(const OutputOptions& options, glm::ivec2 size, double fps) {
   const std::string& name = options.name;
   if (media::is_video(name))
-    return std::make_unique<Video>(options, media::VideoSettings{.width = size.x,
-                                                                 .height = size.y,
-                                                                 .fps = fps,
-                                                                 .crf = options.crf,
-                                                                 .full_chroma = options.full_chroma});
+    return std::make_unique<Video>(options,
+                                   media::VideoSettings{.width = size.x,
+                                                        .height = size.y,
+                                                        .fps = fps,
+                                                        .crf = options.crf,
+                                                        .full_chroma = options.full_chroma,
+                                                        .sample_rate = options.sound ? sound_rate : 0});
   if (!can_write(name))
     throw Error(ExitStatus::usage,
                 name + ": the output must end in .png, .jpg, .exr, .mp4, .webm, .gif, .wav or .flac");

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "host/image/image.h"
@@ -15,6 +16,7 @@ struct OutputOptions {
   int crf = -1;      // of a video; below 0: its format's default
   bool full_chroma = false;
   bool quiet = false;  // no warnings on stderr
+  bool sound = false;  // there will be some, if the output can hold it
 };
 
 class Output {
@@ -24,6 +26,10 @@ class Output {
   virtual bool wants_every_frame() const = 0;
   // Pictures of frames that are wanted, in order. Throws Error(file).
   virtual void add(const Image& picture) = 0;
+  // Whether add_sound() is to follow every add().
+  virtual bool wants_sound() const { return false; }
+  // The sound of a frame: left and right in turn, sound_rate of them a second. Throws Error(file).
+  virtual void add_sound(std::span<const float>) {}
   // After the last one. Throws Error(file).
   virtual void finish() = 0;
 };

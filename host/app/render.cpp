@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "host/app/command.h"
 #include "host/app/options.h"
@@ -12,6 +13,7 @@
 #include "host/app/progress.h"
 #include "host/app/render_sound.h"
 #include "host/app/report.h"
+#include "host/app/video_sound.h"
 #include "host/base/error.h"
 #include "host/image/image.h"
 #include "host/media/audio_writer.h"
@@ -90,8 +92,12 @@ void render(const RenderOptions& options) {
   const Schedule schedule = make_schedule(options);
   const Project project = load(options);
   const int shown = chosen_pass(project, options);
-  const auto output = open_output(options.output, picture_size(project, shown, schedule), schedule.fps);
+  OutputOptions output_options = options.output;
+  output_options.sound = has_sound(project);
+  const auto output = open_output(output_options, picture_size(project, shown, schedule), schedule.fps);
   const auto player = open_player(options.on, project, options);
+  std::optional<VideoSound> sound;
+  if (output->wants_sound()) sound.emplace(project, schedule, *player);
 
   FixedClock clock(schedule, project.dialect);
   Batch batch;
@@ -104,6 +110,7 @@ void render(const RenderOptions& options) {
         output->add(player->read(shown));
       else
         batch.drawn(*player);
+      if (sound) output->add_sound(sound->next_frame());
       progress.update(i + 1);
     }
     player->finish();
@@ -111,6 +118,8 @@ void render(const RenderOptions& options) {
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (!output->wants_every_frame()) output->add(player->read(shown));
   output->finish();
+  if (sound && sound->pass() != nullptr && !options.quiet)
+    print_warnings(*sound->pass(), options.output.name);
   if (!options.json.empty()) {
     nlohmann::json passes = nlohmann::json::array();
     for (std::size_t i = 0; i < project.passes.size(); ++i)

@@ -47,12 +47,7 @@ void render_sound(const PlayOptions& options, double seconds, const std::string&
   }
   const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   writer.finish();
-  if (!options.quiet && sound.nan_values() != 0)
-    std::fprintf(stderr, "%s: warning: %lld samples are NaN and became silence\n", output.c_str(),
-                 static_cast<long long>(sound.nan_values()));
-  if (!options.quiet && sound.clipped_values() != 0)
-    std::fprintf(stderr, "%s: warning: %lld samples were beyond [-1, 1] and are clipped\n", output.c_str(),
-                 static_cast<long long>(sound.clipped_values()));
+  if (!options.quiet) print_warnings(sound, output);
   if (!options.json.empty())
     write_report(options.json, {{"device", player->description()},
                                 {"samples", count},
@@ -60,6 +55,15 @@ void render_sound(const PlayOptions& options, double seconds, const std::string&
                                 {"seconds", taken},
                                 {"nan", sound.nan_values()},
                                 {"clipped", sound.clipped_values()}});
+}
+
+void print_warnings(const Sound& sound, const std::string& output) {
+  if (sound.nan_values() != 0)
+    std::fprintf(stderr, "%s: warning: %lld samples are NaN and became silence\n", output.c_str(),
+                 static_cast<long long>(sound.nan_values()));
+  if (sound.clipped_values() != 0)
+    std::fprintf(stderr, "%s: warning: %lld samples were beyond [-1, 1] and are clipped\n", output.c_str(),
+                 static_cast<long long>(sound.clipped_values()));
 }
 
 }  // namespace shadertwin::app

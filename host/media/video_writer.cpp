@@ -139,6 +139,8 @@ class VideoWriterImpl final : public VideoWriter {
     if (sound_) sound_->add(samples);
   }
 
+  bool has_sound() const override { return sound_.has_value(); }
+
   void finish() override {
     encoder_->encode(nullptr, frame_ticks_);
     if (sound_) sound_->finish();

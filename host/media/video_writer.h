@@ -42,10 +42,12 @@ class VideoWriter {
                                              const VideoSettings& settings);
   virtual ~VideoWriter() = default;
 
-  // All three throw Error(file).
+  // add(), add_sound() and finish() throw Error(file).
   virtual void add(const Image& picture) = 0;
   // Samples left, right, left ... in [-1, 1]. Give each frame's after its picture, so that none has to wait.
   virtual void add_sound(std::span<const float> samples) = 0;
+  // Whether there is a track for it: asked for, and not a GIF.
+  virtual bool has_sound() const = 0;
   virtual void finish() = 0;
 
   // Lines for people: an encoder that had to stand in for a better one.

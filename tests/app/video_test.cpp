@@ -43,6 +43,18 @@ TEST_F(RenderVideo, QualityChangesTheSize) {
   EXPECT_GT(std::filesystem::file_size(folder / "b.mp4"), 2 * std::filesystem::file_size(folder / "a.mp4"));
 }
 
+TEST_F(RenderVideo, HoldsTheSoundOfItsFramesUnlessMuted) {
+  folder.write("toy/image.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n");
+  folder.write("toy/sound.glsl", "vec2 mainSound(in int s, float t) { return vec2(sin(2764. * t), .5); }\n");
+  ASSERT_EQ(run(folder, "render toy --size 16x16 --frames 7 -o a.webm").err, "");
+  const media::Sound sound = media::decode_sound(folder / "a.webm");
+  EXPECT_EQ(sound.samples, 7 * 48000 / 60);
+  EXPECT_EQ(media::read_packets(folder / "a.webm").times.size(), 7U);
+  ASSERT_EQ(run(folder, "render toy --size 16x16 --frames 7 --mute -o b.webm").err, "");
+  EXPECT_TRUE(media::read_packets(folder / "b.webm", AVMEDIA_TYPE_AUDIO).times.empty());
+  ASSERT_EQ(run(folder, "render toy --size 16x16 --frames 7 -o c.gif").err, "");
+}
+
 TEST_F(RenderVideo, RefusalsAreOneLineAndLeaveNothing) {
   const auto expect = [&](int status, const std::string& arguments, const std::string& word,
                           const std::string& before = "") {
