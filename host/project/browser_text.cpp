@@ -33,6 +33,7 @@ class Rewriter {
     find_declared();
     rename_variables();
     rename_open_builtins();
+    rename_length_members();
     const bool by_macro = zero_outputs_ && macro_makes_image();
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       const Token& token = tokens_[i];
@@ -126,6 +127,21 @@ class Rewriter {
                             (next.is("=") || next.is(";") || next.is(",") || next.is("["));
       if (declared) names.insert(token.text);
       if (names.contains(token.text) && !next.is("(") && !before.is(".")) rename(i);
+    }
+  }
+
+  // `length` as a structure's member: glslang takes it for the size of an array.
+  void rename_length_members() {
+    bool in_structure = false;
+    for (std::size_t i = 1; i + 1 < tokens_.size(); ++i) {
+      const Token& next = tokens_[i + 1];
+      if (tokens_[i].is("{"))
+        in_structure = tokens_[i - 1].is("struct") || (i > 1 && tokens_[i - 2].is("struct"));
+      if (tokens_[i].is("}")) in_structure = false;
+      if (!tokens_[i].is("length")) continue;
+      const bool used = tokens_[i - 1].is(".") && !next.is("(");
+      const bool declared = in_structure && (next.is(";") || next.is(",") || next.is("["));
+      if (used || declared) rename(i);
     }
   }
 

@@ -137,6 +137,8 @@ class TwinPlayerImpl final : public TwinPlayer {
     emit.double_precision = options_.double_precision;
     emit.loop_guards = options_.timeout > 0;
     emit.checks = options_.observer != nullptr;
+    // GCC 12's own flag for it misses components and later rounds of loops.
+    emit.initialise_locals = options_.uninitialised == Uninitialised::zero;
     return emit;
   }
 
@@ -178,7 +180,8 @@ class TwinPlayerImpl final : public TwinPlayer {
 
   static std::string cache_key(const Project& project, const Pass& pass, const CppOptions& emit) {
     std::string key = emit_identity() + std::string(emit.double_precision ? " double" : " float") +
-                      (emit.loop_guards ? " guarded" : "") + (emit.checks ? " checked" : "");
+                      (emit.loop_guards ? " guarded" : "") + (emit.checks ? " checked" : "") +
+                      (emit.initialise_locals ? " zeroed" : "");
     for (const std::string& file : project.files) key += '\n' + file;  // #line names them
     for (const SourceLine& line : pass.source.lines)
       key += '\n' + std::to_string(line.file) + ':' + std::to_string(line.line);

@@ -87,6 +87,15 @@ TEST(BrowserText, RenamesOverloadsOfOpenBuiltinsAndForwardsTheOthers) {
       << text;
 }
 
+TEST(BrowserText, RenamesMembersCalledLength) {
+  EXPECT_EQ(
+      as_in_a_browser(
+          "struct S { float length, x; };\nfloat f(S s) { return s.length + length(s.x) + a.length(); }",
+          true),
+      "struct S { float shadertwin_length, x; };\nfloat f(S s) { return s.shadertwin_length + length(s.x) + "
+      "a.length(); }");
+}
+
 TEST(BrowserText, GivesMacrosOfOneParameterSomethingEmpty) {
   EXPECT_EQ(as_in_a_browser("#define G(x) x\n#define H() 1\nG() G(1) H()", true),
             "#define G(x) x\n#define H() 1\nG(shadertwin_nothing) G(1) H()");

@@ -39,6 +39,30 @@ float long_list(int n)
 int calls = 0;
 int next() { return calls++; }
 
+vec3 partly(float x)
+{
+    vec3 color;
+    if (x < 2.0)
+        color = vec3(1.0, 2.0, 3.0);
+    else if (x < 4.0)
+        color = vec3(4.0);
+    else
+        color.x = 0.5;
+    return color;
+}
+
+float rounds(float x)
+{
+    float sum = 0.0;
+    for (int k; k < 3; k++) {
+        float a = 1.0, z;
+        for (; z < 1.0; z += 0.25)
+            a += fract(x * z);
+        sum += a;
+    }
+    return sum;
+}
+
 void mainImage(out vec4 c, in vec2 p)
 {
     table[int(p.x)] += 1.0;
@@ -71,5 +95,5 @@ void mainImage(out vec4 c, in vec2 p)
                     float(calls) + pairs[far].x + things[far].weight;
 
     vec3 nowhere = missing(p.x) + missing_thing(p.y).weight;
-    c = vec4(sum + long_list(3) + long_list(4), outs, indexed, nowhere.y);
+    c = vec4(sum + long_list(3) + long_list(4), outs, indexed, nowhere.y + dot(partly(p.x), vec3(1.0, 10.0, 100.0)) + rounds(p.y));
 }
