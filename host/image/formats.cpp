@@ -13,8 +13,13 @@ namespace {
 
 // It lies beside the program, or where `cmake --install` puts it: the program's run path says both.
 const Formats& load() {
+  int how = RTLD_LAZY | RTLD_LOCAL;
+#ifndef __SANITIZE_ADDRESS__
+  // Its libraries look for their symbols among themselves first: a third less time.
+  how |= RTLD_DEEPBIND;
+#endif
   constexpr const char* name = "libshadertwin_pictures.so";
-  void* const library = dlopen(name, RTLD_LAZY | RTLD_LOCAL);
+  void* const library = dlopen(name, how);
   const auto get =
       library == nullptr
           ? nullptr

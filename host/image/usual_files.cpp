@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
@@ -42,6 +43,11 @@ struct Decoded {
   }
 };
 
+void quiet(png_structp, png_const_charp) {}
+void leave(png_structp png, png_const_charp) {
+  png_longjmp(png, 1);
+}
+
 struct PngReader {
   png_structp png = nullptr;
   png_infop info = nullptr;
@@ -49,8 +55,6 @@ struct PngReader {
 };
 
 bool decode_png(PngReader& reader, std::FILE* file, Decoded& decoded) {
-  const auto quiet = [](png_structp, png_const_charp) {};
-  const auto leave = [](png_structp png, png_const_charp) { png_longjmp(png, 1); };
   reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, quiet);
   if (reader.png == nullptr) return false;
   reader.info = png_create_info_struct(reader.png);
@@ -69,6 +73,31 @@ bool decode_png(PngReader& reader, std::FILE* file, Decoded& decoded) {
     return false;
   png_read_image(reader.png, decoded.rows.data());
   png_read_end(reader.png, nullptr);
+  return true;
+}
+
+struct PngWriter {
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  ~PngWriter() { png_destroy_write_struct(&png, &info); }
+};
+
+bool encode_png(PngWriter& writer, std::FILE* file, const PictureToWrite& picture, Row* rows) {
+  writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, quiet);
+  if (writer.png == nullptr) return false;
+  writer.info = png_create_info_struct(writer.png);
+  if (writer.info == nullptr || setjmp(png_jmpbuf(writer.png)) != 0) return false;
+  png_init_io(writer.png, file);
+  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(picture.width),
+               static_cast<png_uint_32>(picture.height), 8,
+               picture.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+  png_write_info(writer.png, writer.info);
+  // Four bytes a pixel are given; of an opaque picture the fourth is left out.
+  if (picture.channels == 3) png_set_filler(writer.png, 0, PNG_FILLER_AFTER);
+  png_write_image(writer.png, rows);
+  png_write_end(writer.png, nullptr);
   return true;
 }
 
@@ -174,6 +203,26 @@ std::optional<Texture> read_usual(const std::filesystem::path& path) {
   }
   if (!done) return std::nullopt;
   return to_texture(decoded);
+}
+
+std::string write_png(const PictureToWrite& picture, const std::filesystem::path& path) {
+  std::vector<Row> rows;
+  auto* const bottom = static_cast<Row>(const_cast<void*>(picture.rgba));
+  for (int y = picture.height - 1; y >= 0; --y)
+    rows.push_back(bottom +
+                   std::size_t{4} * static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width));
+  errno = 0;
+  std::FILE* const file = std::fopen(path.c_str(), "wb");
+  if (file == nullptr) return std::strerror(errno);
+  bool done = false;
+  {
+    PngWriter writer;
+    done = encode_png(writer, file, picture, rows.data());
+  }
+  std::string reason;
+  if (!done || std::fflush(file) != 0) reason = errno != 0 ? std::strerror(errno) : "can't be written";
+  if (std::fclose(file) != 0 && reason.empty()) reason = std::strerror(errno);
+  return reason;
 }
 
 }  // namespace shadertwin

@@ -7,6 +7,7 @@
 #include "host/base/output_file.h"
 #include "host/image/formats.h"
 #include "host/image/image.h"
+#include "host/image/usual_files.h"
 
 namespace shadertwin {
 
@@ -64,7 +65,8 @@ void write_image(const Image& image, const fs::path& file) {
     picture.rgba = bytes.data();
   }
   OutputFile target(file);
-  std::string reason = formats().write(picture, target.path());
+  std::string reason =
+      kind == FileKind::png ? write_png(picture, target.path()) : formats().write(picture, target.path());
   if (!reason.empty()) {
     std::replace(reason.begin(), reason.end(), '\n', ' ');
     throw Error(ExitStatus::file, file.string() + ": " + reason);
