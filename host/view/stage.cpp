@@ -81,6 +81,7 @@ class SharedStage final : public Stage {
   Image read(int pass) override { return player_->read(pass); }
   std::vector<double> milliseconds() override { return milliseconds_; }
   std::string description() const override { return player_->description(); }
+  std::vector<std::string> warnings() const override { return player_->warnings(); }
   bool continue_from(Stage& earlier) override {
     auto* other = dynamic_cast<SharedStage*>(&earlier);
     if (other == nullptr) return false;

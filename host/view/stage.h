@@ -38,6 +38,8 @@ class Stage {
   // Milliseconds of every pass, -1 where unknown; empty where nothing is measured.
   virtual std::vector<double> milliseconds() { return {}; }
   virtual std::string description() const = 0;
+  // What Player::warnings() says and nobody has printed yet.
+  virtual std::vector<std::string> warnings() const { return {}; }
   // Takes over the buffers of the stage before the reload. False if it can't.
   virtual bool continue_from(Stage&) { return false; }
 };

@@ -88,6 +88,8 @@ class View {
       for (const std::string& warning : project.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
     auto stage = options_.other_player ? make_uploading_stage(window_, project, options_.other_player)
                                        : make_shared_stage(window_, project, options_.player);
+    if (!options_.quiet)
+      for (const std::string& warning : stage->warnings()) std::fprintf(stderr, "%s\n", warning.c_str());
     return {std::move(project), std::move(stage)};
   }
 
