@@ -79,6 +79,18 @@ TEST_F(RenderVideo, RefusalsAreOneLineAndLeaveNothing) {
            "trap '' XFSZ; ulimit -f 8;");
 }
 
+TEST_F(RenderVideo, CtrlCLeavesNothing) {
+  folder.write("a.mp4", "old");
+  const Outcome outcome = run(folder, "render clock.glsl --size 32x16 --frames 1000000 -o a.mp4",
+                              "timeout --preserve-status -s INT 1");
+  EXPECT_EQ(outcome.status, 130) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(contents(folder / "a.mp4"), "old");
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path())) ++files;
+  EXPECT_EQ(files, 2U);
+}
+
 TEST(VideoInput, IsTheSameForOpenGlAndTheTwin) {
   const ScratchFolder folder;
   folder.write("rings.glsl",
