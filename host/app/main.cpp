@@ -6,6 +6,7 @@
 
 #include "host/app/command.h"
 #include "host/base/error.h"
+#include "host/base/unfinished.h"
 
 namespace {
 
@@ -24,6 +25,7 @@ std::string first_line(const std::string& text) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  shadertwin::remove_unfinished_when_interrupted();
   CLI::App app{
       "Runs Shadertoy shaders off the web, and checks them against a CPU twin compiled from the same GLSL."};
   app.name("shadertwin");

@@ -27,6 +27,7 @@ OutputFile::OutputFile(fs::path target) : target_(std::move(target)) {
   const std::string stem = target_.stem().string().substr(0, 200);  // names have at most 255 bytes
   temporary_ = folder / ("." + stem + "." + number + target_.extension().string());
 
+  unfinished_.emplace(temporary_);
   // Only making a file shows whether one can be made.
   const int probe = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (probe < 0)
@@ -46,6 +47,7 @@ void OutputFile::commit() {
   fs::rename(temporary_, target_, failure);
   if (failure) throw Error(ExitStatus::file, target_.string() + ": " + failure.message());
   committed_ = true;
+  unfinished_.reset();
 }
 
 }  // namespace shadertwin

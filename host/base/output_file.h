@@ -2,11 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+
+#include "host/base/unfinished.h"
 
 namespace shadertwin {
 
 // Write to path(), a temporary name in the target's folder that keeps the target's extension; then commit().
-// Without commit() the destructor removes the temporary file and the target stays as it was.
+// Without commit() the destructor removes the temporary file, as an interrupt does, and the target stays as
+// it was.
 class OutputFile {
  public:
   // Throws Error(file) if the target's folder does not exist or can't be written.
@@ -22,6 +26,7 @@ class OutputFile {
  private:
   std::filesystem::path target_;
   std::filesystem::path temporary_;
+  std::optional<Unfinished> unfinished_;
   bool committed_ = false;
 };
 

@@ -18,6 +18,7 @@ OutputFolder::OutputFolder(const fs::path& target) : target_(fs::absolute(target
     throw Error(ExitStatus::file, target.string() + ": is there already");
   temporary_ = target_.parent_path() /
                ("." + target_.filename().string().substr(0, 200) + "." + std::to_string(getpid()));
+  unfinished_.emplace_back(temporary_);
   fs::create_directory(temporary_, problem);
   if (problem) throw Error(ExitStatus::file, target.string() + ": " + problem.message());
 }
@@ -27,14 +28,16 @@ OutputFolder::~OutputFolder() {
   if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
 }
 
-void OutputFolder::write(const std::string& name, const std::string& text) const {
+void OutputFolder::write(const std::string& name, const std::string& text) {
+  unfinished_.emplace_back(temporary_ / name);
   std::ofstream stream(temporary_ / name, std::ios::binary);
   stream << text;
   stream.close();
   if (!stream) throw Error(ExitStatus::file, (target_ / name).string() + ": can't be written");
 }
 
-void OutputFolder::copy(const fs::path& file, const std::string& name) const {
+void OutputFolder::copy(const fs::path& file, const std::string& name) {
+  unfinished_.emplace_back(temporary_ / name);
   std::error_code problem;
   fs::copy_file(file, temporary_ / name, problem);
   if (problem) throw Error(ExitStatus::file, file.string() + ": " + problem.message());
@@ -45,6 +48,7 @@ void OutputFolder::commit() {
   fs::rename(temporary_, target_, problem);
   if (problem) throw Error(ExitStatus::file, target_.string() + ": " + problem.message());
   temporary_.clear();
+  unfinished_.clear();
 }
 
 std::string file_stem(std::string pass) {

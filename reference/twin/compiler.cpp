@@ -3,12 +3,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <system_error>
 
 #include "host/base/error.h"
+#include "host/base/unfinished.h"
 #include "reference/twin/hash.h"
 #include "reference/twin/process.h"
 
@@ -164,6 +166,7 @@ fs::path Compiler::precompiled_header(const std::vector<std::string>& arguments)
   fs::create_directories(folder, failed);
   std::ofstream(stub) << "#include \"" << header << "\"\n";
   const fs::path own = folder / ("twin-" + std::to_string(getpid()) + ".tmp");
+  const Unfinished unfinished(own);
   std::vector<std::string> list = arguments;
   std::erase(list, "-shared");
   list.insert(list.end(), {"-x", "c++-header", "-o", own.string(), stub.string()});
@@ -177,6 +180,7 @@ void Compiler::compile(const std::string& source, const fs::path& object,
   const std::string own = object.stem().string() + '-' + std::to_string(getpid());
   const fs::path text = object.parent_path() / (own + ".cpp");
   const fs::path result = object.parent_path() / (own + ".tmp");
+  const std::array unfinished = {Unfinished(text), Unfinished(result)};
   {
     std::ofstream out(text, std::ios::binary);
     out << source;
