@@ -7,6 +7,7 @@
 #include "host/export/export.h"
 #include "host/project/keyboard_text.h"
 #include "host/project/tokens.h"
+#include "host/project/write_json.h"
 
 namespace shadertwin {
 

@@ -7,6 +7,7 @@
 #include "host/base/error.h"
 #include "host/project/channels.h"
 #include "host/project/media.h"
+#include "host/project/paths.h"
 
 namespace shadertwin {
 
@@ -84,6 +85,25 @@ Sampler read_sampler(const Json& input, InputKind kind) {
   if (!wrap.empty() && !fixed) sampler.wrap = wrap == "clamp" ? Wrap::clamp : Wrap::repeat;
   if (const auto vflip = settings->find("vflip"); vflip != settings->end()) sampler.vflip = is_true(*vflip);
   return sampler;
+}
+
+// The files that a source may stand for, the likeliest first. A cubemap is named by its first face: the
+// others are NAME_1.jpg to NAME_5.jpg on the site; with names as the extension's (NAME_px.jpg) they may
+// follow those.
+std::vector<std::vector<std::string>> spellings(const std::string& source, InputKind kind) {
+  if (kind != InputKind::cubemap) return {{source}};
+  const std::size_t dot = std::min(source.rfind('.'), source.size());
+  const std::string stem = source.substr(0, dot);
+  const std::string extension = source.substr(dot);
+  std::vector<std::vector<std::string>> result = {{source}};
+  for (int i = 1; i < 6; ++i) result[0].push_back(stem + "_" + std::to_string(i) + extension);
+  for (const auto& set : face_names()) {
+    if (!stem.ends_with(set[0])) continue;
+    const std::string before = stem.substr(0, stem.size() - set[0].size());
+    std::vector<std::string>& names = result.emplace_back();
+    for (const std::string_view face : set) names.push_back(before + std::string(face) + extension);
+  }
+  return result;
 }
 
 }  // namespace
@@ -213,24 +233,23 @@ fs::path JsonInputs::find_one(const std::string& source, std::string& problem) c
 }
 
 void JsonInputs::find_media(const std::string& source, InputKind kind, Input& input) {
-  const std::size_t faces = kind == InputKind::cubemap ? 6 : 1;
-  const std::size_t dot = std::min(source.rfind('.'), source.size());
-  for (std::size_t i = 0; i < faces; ++i) {
-    // The faces after the first are NAME_1.jpg to NAME_5.jpg.
-    const std::string name =
-        i == 0 ? source : source.substr(0, dot) + "_" + std::to_string(i) + source.substr(dot);
+  std::string complaint;
+  for (const std::vector<std::string>& names : spellings(source, kind)) {
     std::string problem;
-    const fs::path file = find_one(name, problem);
-    if (!problem.empty()) {
-      warn(name,
-           "\"" + name + "\" " + problem + ": " +
-               (kind == InputKind::music ? "the channel is silent (--mute gives shadertoy.com's preview)"
-                                         : "the channel stays empty"));
-      input = {};
-      return;
+    input.files.clear();
+    for (const std::string& name : names) {
+      input.files.push_back(find_one(name, problem));
+      if (problem.empty()) continue;
+      if (complaint.empty()) complaint = "\"" + name + "\" " + problem;
+      break;
     }
-    input.files.push_back(file);
+    if (problem.empty()) return;
   }
+  warn(complaint,
+       complaint + ": " +
+           (kind == InputKind::music ? "the channel is silent (--mute gives shadertoy.com's preview)"
+                                     : "the channel stays empty"));
+  input = {};
 }
 
 }  // namespace shadertwin

@@ -81,19 +81,23 @@ std::optional<fs::path> find_file(const std::vector<fs::path>& places) {
   return std::nullopt;
 }
 
-std::vector<fs::path> find_faces(const std::vector<fs::path>& patterns, std::string& missing) {
+std::span<const std::array<std::string_view, 6>> face_names() {
   static constexpr std::array<std::array<std::string_view, 6>, 4> sets = {{
       {"e", "w", "u", "d", "n", "s"},
       {"east", "west", "up", "down", "north", "south"},
       {"px", "nx", "py", "ny", "pz", "nz"},
       {"posx", "negx", "posy", "negy", "posz", "negz"},
   }};
+  return sets;
+}
+
+std::vector<fs::path> find_faces(const std::vector<fs::path>& patterns, std::string& missing) {
   std::size_t most = 0;
   for (const fs::path& pattern : patterns) {
     std::string before;
     std::string after;
     if (!split(pattern.generic_string(), before, after)) continue;
-    for (const auto& set : sets) {
+    for (const auto& set : face_names()) {
       std::vector<fs::path> faces;
       std::string first_missing;
       std::size_t there = 0;

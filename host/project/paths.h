@@ -1,9 +1,12 @@
 // What a path in a directive means.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/project/project.h"
@@ -24,6 +27,9 @@ std::vector<std::filesystem::path> candidates(const std::string& path, const std
 
 // The first candidate that is there; nothing if none is.
 std::optional<std::filesystem::path> find_file(const std::vector<std::filesystem::path>& places);
+
+// The names that a cubemap's faces go by, +X -X +Y -Y +Z -Z, the first set preferred.
+std::span<const std::array<std::string_view, 6>> face_names();
 
 // The six faces, +X -X +Y -Y +Z -Z, of a path with one {} or * in it. `missing` names the file that keeps the
 // best set of names from being complete; the result is empty then.

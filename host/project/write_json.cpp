@@ -1,5 +1,6 @@
 #include "host/project/write_json.h"
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 
@@ -59,6 +60,11 @@ std::string constant(const CustomUniform& uniform) {
   return line.str();
 }
 
+Json common_pass(const std::string& code) {
+  return {{"inputs", Json::array()}, {"outputs", Json::array()}, {"code", code},
+          {"name", "Common"},        {"description", ""},        {"type", "common"}};
+}
+
 class Writer {
  public:
   explicit Writer(const Project& project) : project_(project) { name_passes(); }
@@ -66,13 +72,7 @@ class Writer {
   std::string write() {
     Json passes = Json::array();
     passes.push_back(write_pass(project_.passes.back(), static_cast<int>(project_.passes.size()) - 1));
-    if (const std::string common = common_text(); !common.empty())
-      passes.push_back({{"inputs", Json::array()},
-                        {"outputs", Json::array()},
-                        {"code", common},
-                        {"name", "Common"},
-                        {"description", ""},
-                        {"type", "common"}});
+    if (const std::string common = common_text(); !common.empty()) passes.push_back(common_pass(common));
     for (std::size_t i = 0; i + 1 < project_.passes.size(); ++i)
       passes.push_back(write_pass(project_.passes[i], static_cast<int>(i)));
     const Json info = {{"id", ""},
@@ -222,6 +222,22 @@ class Writer {
 
 std::string write_json(const Project& project) {
   return project.json.empty() ? Writer(project).write() : project.json;
+}
+
+std::string with_common(const std::string& json, const std::string& text) {
+  Json document = Json::parse(json);
+  Json* shader = document.is_array()            ? &document[0]
+                 : document.contains("Shader")  ? &document["Shader"]
+                 : document.contains("shaders") ? &document["shaders"][0]
+                                                : &document;
+  Json& passes = (*shader)["renderpass"];
+  const auto common =
+      std::find_if(passes.begin(), passes.end(), [](const Json& pass) { return pass["type"] == "common"; });
+  if (common == passes.end())
+    passes.push_back(common_pass(text));
+  else
+    (*common)["code"] = text + (*common)["code"].get<std::string>();
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace shadertwin

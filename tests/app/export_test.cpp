@@ -51,6 +51,18 @@ TEST(Export, JsonPlaysAsTheProjectDoes) {
   EXPECT_EQ(rendered(folder, "toy.json"), rendered(folder, "image.glsl -D LEVEL=0.5"));
 }
 
+TEST(Export, JsonWithKnobsKeepsWhatElseTheDocumentHeld) {
+  const ScratchFolder folder;
+  folder.write("toy.json",
+               R"({"Shader": {"ver": "0.1", "info": {"name": "Toy", "strange": [1, {"deep": null}]},
+    "renderpass": [{"type": "image", "inputs": [], "outputs": [], "name": "Image", "future": 7,
+    "code": "void mainImage(out vec4 c, in vec2 p) { c = vec4(K); }"}]}})");
+  ASSERT_EQ(run(folder, "export toy.json -D K=2 --to json -o with.json").err, "");
+  EXPECT_NE(contents(folder / "with.json").find("\"strange\""), std::string::npos);
+  EXPECT_NE(contents(folder / "with.json").find("\"future\""), std::string::npos);
+  EXPECT_EQ(rendered(folder, "with.json"), rendered(folder, "toy.json -D K=2"));
+}
+
 TEST(Export, TabsAreTextsWithoutDirectives) {
   const ScratchFolder folder;
   write_shader(folder);

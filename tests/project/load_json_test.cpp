@@ -154,6 +154,20 @@ TEST_F(LoadJson, FindsMediaInTheMediaFolder) {
   EXPECT_TRUE(project.warnings.empty());
 }
 
+TEST_F(LoadJson, FindsTheFacesOfACubemapByTheExtensionsNamesToo) {
+  for (const char* face : {"px", "nx", "py", "ny", "pz", "nz"})
+    folder_.write(std::string("m/sky_") + face + ".png", "");
+  const Project project = load(api({pass("image", 37, {input(3, 2, "cubemap", "/media/a/sky_px.png")})}),
+                               {.media = folder_.path() / "m"});
+  ASSERT_EQ(project.passes[0].inputs[2].files.size(), 6U);
+  EXPECT_EQ(project.passes[0].inputs[2].files[3].filename(), "sky_ny.png");
+  folder_.write("m/half_px.png", "");
+  const Project half = load(api({pass("image", 37, {input(3, 2, "cubemap", "/media/a/half_px.png")})}),
+                            {.media = folder_.path() / "m"});
+  ASSERT_EQ(half.warnings.size(), 1U);
+  EXPECT_NE(half.warnings[0].find("\"/media/a/half_px_1.png\" is not in "), std::string::npos);
+}
+
 TEST_F(LoadJson, WarnsOnceOfWhatIsMissing) {
   const Project project = load(api({pass("image", 37, {input(1, 0, "texture", "/media/a/no.jpg")}),
                                     pass("buffer", 257, {input(1, 0, "texture", "/media/a/no.jpg")})}));
@@ -308,6 +322,33 @@ TEST_F(LoadJson, RoundTripKeepsWhatIsNotUnderstood) {
   document["Shader"]["info"]["strange"] = {1, {{"deep", "Tëst"}}};
   document["Shader"]["renderpass"][0]["future"] = nullptr;
   EXPECT_EQ(json::parse(write_json(load(document))), document);
+}
+
+TEST_F(LoadJson, CommonTakesAnotherTextAndAllElseStays) {
+  json document = api({pass("image", 37)});
+  document["Shader"]["info"]["strange"] = {1, {{"deep", "Tëst"}}};
+  for (const json& shape : {document, as_site(document), json{{"shaders", as_site(document)}, {"more", 1}}}) {
+    json changed = json::parse(with_common(shape.dump(), "#define K 2\n"));
+    EXPECT_EQ(load(changed).common, "#define K 2\n");
+    json twice = json::parse(with_common(changed.dump(), "#define J 1\n"));
+    EXPECT_EQ(load(twice).common, "#define J 1\n#define K 2\n");
+    json& passes = changed.is_array()           ? changed[0]["renderpass"]
+                   : changed.contains("Shader") ? changed["Shader"]["renderpass"]
+                                                : changed["shaders"][0]["renderpass"];
+    passes.erase(1);
+    EXPECT_EQ(changed, shape);
+  }
+}
+
+TEST(WriteJson, NamesACubemapByItsFirstFaceAndFindsItAgain) {
+  const TempFolder folder;
+  for (const char* face : {"posx", "negx", "posy", "negy", "posz", "negz"})
+    folder.write(std::string("sky_") + face + ".png", "");
+  const std::string text = "#iChannel1 \"sky_{}.png\"\n#iChannel1::Type \"CubeMap\"\n";
+  folder.write("out/toy.json", write_json(load_project(folder.write("a.glsl", text + empty_image))));
+  const Project project = load_project(folder.path() / "out/toy.json", {.media = folder.path()});
+  ASSERT_EQ(project.passes[0].inputs[1].files.size(), 6U);
+  EXPECT_EQ(project.passes[0].inputs[1].files[4].filename(), "sky_posz.png");
 }
 
 TEST(WriteJson, GivesAFolderBackAsItWas) {
