@@ -58,7 +58,7 @@ TextureObject make_target(const Functions& gl, GLenum target, glm::ivec2 size, b
   TextureObject object(gl);
   const GLsizei levels = mipmaps ? mip_levels(size.x, size.y, 1) : 1;
   gl.BindTexture(target, object.name());
-  gl.TexStorage2D(target, levels, GL_RGBA32F, size.x, size.y);
+  gl.TexStorage2D(target, levels, target == GL_TEXTURE_CUBE_MAP ? GL_RGBA16F : GL_RGBA32F, size.x, size.y);
   limit_levels(gl, target, levels);
   return object;
 }

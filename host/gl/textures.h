@@ -19,7 +19,8 @@ struct BoundTexture {
 TextureObject upload(const Functions& gl, const Texture& texture, bool mipmaps);
 GLenum texture_target(const Texture& texture);
 
-// Empty storage for what a pass draws: one size x size x 6 or width x height, RGBA32F, cleared to zero.
+// Empty storage for what a pass draws: size x size x 6 in RGBA16F, as shadertoy.com keeps
+// a cubemap, or width x height in RGBA32F.
 TextureObject make_target(const Functions& gl, GLenum target, glm::ivec2 size, bool mipmaps);
 
 // What an unbound channel reads: one texel (0, 0, 0, 1), as WebGL gives for an incomplete texture.

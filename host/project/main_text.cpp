@@ -43,7 +43,10 @@ MainText cubemap_main() {
           "shadertwin_face == 4 ? vec3(st.x, -st.y, 1.0) : vec3(-st.x, -st.y, -1.0); "
           "vec4 shadertoy_color = vec4(0.0); "
           "mainCubemap(shadertoy_color, gl_FragCoord.xy, vec3(0.0), normalize(shadertwin_ray)); " +
-              shown("shadertoy_color", false)};
+              // The site keeps half floats. Rounded here, they are the same on every device and on the twin.
+              shown("vec4(unpackHalf2x16(packHalf2x16(shadertoy_color.rg)), "
+                    "unpackHalf2x16(packHalf2x16(shadertoy_color.ba)))",
+                    false)};
 }
 
 MainText sound_main(bool of_time) {

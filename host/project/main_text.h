@@ -18,7 +18,7 @@ MainText image_main(bool opaque, bool asserts, bool inout);
 // Calls mainVR for two eyes side by side: 90 degrees high, 64 mm apart, looking along -z.
 MainText vr_main(bool opaque);
 // The face that the uniform int `shadertwin_face` says, 0 to 5 for +X -X +Y -Y +Z -Z; iResolution.xy is its
-// size.
+// size. The colour is rounded to half floats, which is what shadertoy.com keeps.
 MainText cubemap_main();
 // One sample a pixel of a target of sound_block_side by sound_block_side: left in r, right in g, not clamped.
 // The first is number iSampleOffset, at iTimeOffset seconds.
