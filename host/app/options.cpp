@@ -79,6 +79,10 @@ void add_load_options(CLI::App& command, PlayOptions& o) {
           "nothing wrote and returns that are missing are zero, indices are clamped; raw: it is what the "
           "device has there")
       ->check(CLI::IsMember({"zero", "raw"}));
+  command.add_flag(
+      "--vr", o.vr,
+      "draw mainVR() instead of mainImage(): the left eye's picture beside the right eye's, each 90 "
+      "degrees high, the eyes 64 mm apart at the origin, looking along -z");
   command.add_option("--seed", o.seed, "the same as -D SEED=N: another stream of random numbers");
   command.add_option("--media", o.media, "the folder that holds the pictures a Shadertoy JSON names");
   command
@@ -168,6 +172,7 @@ LoadOptions make_load_options(const PlayOptions& o) {
   load_options.media = o.media;
   load_options.muted = o.mute;
   load_options.zero_outputs = o.init == "zero";
+  load_options.vr = o.vr;
   if (!o.dialect.empty()) load_options.dialect = o.dialect == "vscode" ? Dialect::vscode : Dialect::shadertoy;
   auto defines = o.defines;
   if (!o.seed.empty()) {

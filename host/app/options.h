@@ -31,6 +31,7 @@ struct PlayOptions {
   bool quiet = false;
   bool precise = false;
   bool mute = false;
+  bool vr = false;
   std::string seed;
   std::string init = "zero";
 };

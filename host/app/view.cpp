@@ -24,6 +24,7 @@ std::string options_text(const ViewCommand& o) {
   for (const std::string& define : o.defines) add("-D", define);
   if (!o.seed.empty()) add("--seed", o.seed);
   if (o.init != "zero") add("--init", o.init);
+  if (o.vr) text += text.empty() ? "--vr" : " --vr";
   return text;
 }
 
