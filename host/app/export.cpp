@@ -46,8 +46,12 @@ void write_cpp(const Project& project, const std::filesystem::path& folder) {
   const std::string how =
       "// c++ -std=c++20 -O2 -ffp-contract=off -fPIC -shared -I SOURCES-OF-SHADERTWIN THIS-FILE -o pass.so\n";
   OutputFolder output(folder);
-  for (const Pass& pass : project.passes)
+  for (const Pass& pass : project.passes) {
+    if (pass.vertex.has_value())
+      throw Error(ExitStatus::shader,
+                  pass.name + ": error: the twin draws no triangles of a vertex shader (#iVertex)");
     output.write(file_stem(pass.name) + ".cpp", how + emit_cpp(project, pass));
+  }
   output.commit();
 }
 

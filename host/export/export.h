@@ -16,7 +16,7 @@ std::string html_player(const Project& project, const std::string& title);
 
 // The project as shadertoy.com takes it. What only the VS Code extension or the command line gives is put
 // into the text: SHADER_TOY, knobs (-D), older names, key functions on a free channel. Throws Error(shader)
-// where there is no channel left for the keyboard.
+// where there is no channel left for the keyboard, and for a vertex shader.
 Project for_site(const Project& project);
 
 // Makes `folder` with a text file for each tab, as it is pasted into shadertoy.com, the pictures and sounds

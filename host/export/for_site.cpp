@@ -98,11 +98,18 @@ void add_keyboard(Pass& pass) {
 }  // namespace
 
 Project for_site(const Project& project) {
+  for (const Pass& pass : project.passes)
+    if (pass.vertex.has_value())
+      throw Error(ExitStatus::shader, pass.name + ": error: shadertoy.com has no vertex shaders (#iVertex)");
   std::string prelude = knobs(project);
   if (project.dialect == Dialect::vscode) prelude += names(project);
   if (prelude.empty()) return project;
   Project result = project;
-  result.json.clear();  // the document that it came from lacks the knobs
+  // The document that it came from lacks the knobs.
+  if (project.dialect == Dialect::vscode)
+    result.json.clear();
+  else if (!project.json.empty())
+    result.json = with_common(project.json, prelude);
   result.common = prelude + project.common;
   if (project.dialect == Dialect::vscode)
     for (Pass& pass : result.passes) add_keyboard(pass);

@@ -57,14 +57,16 @@ class Describer {
     for (std::size_t i = 0; i < pass.inputs.size(); ++i)
       if (pass.inputs[i].kind != InputKind::none)
         inputs.push_back(describe(pass.inputs[i], static_cast<int>(i)));
-    return {{"name", pass.name},
-            {"kind", name_of(pass_kind_names, pass.kind)},
-            {"keyboard", pass.keyboard},
-            {"head", pass.source.head},
-            {"body", pass.source.body},
-            {"tail", pass.source.tail},
-            {"lines", runs(pass.source.lines)},
+    return {{"name", pass.name},         {"kind", name_of(pass_kind_names, pass.kind)},
+            {"keyboard", pass.keyboard}, {"vertex", pass.vertex ? describe(*pass.vertex) : Json()},
+            {"head", pass.source.head},  {"body", pass.source.body},
+            {"tail", pass.source.tail},  {"lines", runs(pass.source.lines)},
             {"inputs", inputs}};
+  }
+
+  static Json describe(const PassSource& source) {
+    return {
+        {"head", source.head}, {"body", source.body}, {"tail", source.tail}, {"lines", runs(source.lines)}};
   }
 
   // Consecutive lines of one file: [count, file, first line].

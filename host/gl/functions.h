@@ -21,7 +21,7 @@ namespace shadertwin::gl {
   X(CreateShader, CREATESHADER) X(DeleteFramebuffers, DELETEFRAMEBUFFERS) \
   X(DeleteProgram, DELETEPROGRAM) X(DeleteQueries, DELETEQUERIES) X(DeleteSamplers, DELETESAMPLERS) \
   X(DeleteShader, DELETESHADER) X(DeleteTextures, DELETETEXTURES) X(DeleteVertexArrays, DELETEVERTEXARRAYS) \
-  X(Disable, DISABLE) X(DispatchCompute, DISPATCHCOMPUTE) X(DrawArrays, DRAWARRAYS) X(EndQuery, ENDQUERY) \
+  X(Disable, DISABLE) X(Enable, ENABLE) X(DispatchCompute, DISPATCHCOMPUTE) X(DrawArrays, DRAWARRAYS) X(EndQuery, ENDQUERY) \
   X(Finish, FINISH) X(Flush, FLUSH) X(FramebufferTexture2D, FRAMEBUFFERTEXTURE2D) \
   X(GenerateMipmap, GENERATEMIPMAP) X(GenFramebuffers, GENFRAMEBUFFERS) X(GenQueries, GENQUERIES) \
   X(GenSamplers, GENSAMPLERS) X(GenTextures, GENTEXTURES) X(GenVertexArrays, GENVERTEXARRAYS) \

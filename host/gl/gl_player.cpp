@@ -424,11 +424,18 @@ class GlPlayerImpl final : public GlPlayer {
           constexpr std::array<GLfloat, 4> zero{};
           gl_.ClearBufferfv(GL_COLOR, 0, zero.data());
         }
-        gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+        draw_triangles(project_.passes[index].vertex.has_value());
       }
     }
     target.front = back;
     make_mipmaps(target);
+  }
+
+  void draw_triangles(bool own_vertices) {
+    if (!own_vertices) return gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl_.Enable(GL_CULL_FACE);
+    gl_.DrawArrays(GL_TRIANGLES, 0, 6);
+    gl_.Disable(GL_CULL_FACE);
   }
 
   void make_mipmaps(const Target& target) {

@@ -1,5 +1,6 @@
 #include "host/gl/program.h"
 
+#include <string_view>
 #include <utility>
 
 #include "host/base/error.h"
@@ -15,10 +16,14 @@ void main() {
 }
 )";
 
+constexpr std::string_view usual_version = "#version 300 es";
+
 // Both stages of a program have to name the same version.
-std::string vertex_text_for(const std::string& fragment_text) {
+std::string vertex_text_for(const Pass& pass, const std::string& fragment_text) {
   const std::string first_line = fragment_text.substr(0, fragment_text.find('\n'));
-  return (first_line.starts_with("#version") ? first_line : "#version 300 es") + vertex_text;
+  const std::string version(first_line.starts_with("#version") ? first_line : usual_version);
+  if (!pass.vertex.has_value()) return version + vertex_text;
+  return version + pass.vertex->text().substr(usual_version.size());
 }
 
 std::string trimmed(std::string log) {
@@ -58,12 +63,13 @@ class Shader {
   GLuint name_;
 };
 
-void compile(const Shader& shader, const Project& project, const Pass& pass, int first_line) {
+void compile(const Shader& shader, const Project& project, const Pass& pass, const PassSource& source,
+             int first_line) {
   if (shader.compiled()) return;
   const std::string log = shader.log();
   throw Error(ExitStatus::shader, log.empty()
                                       ? pass.name + ": error: the driver refuses the shader without a reason"
-                                      : trimmed(map_log(project, pass.source, log, first_line)));
+                                      : trimmed(map_log(project, source, log, first_line)));
 }
 
 void link(const Functions& gl, GLuint program, const Pass& pass) {
@@ -81,14 +87,16 @@ void link(const Functions& gl, GLuint program, const Pass& pass) {
 }  // namespace
 
 Program Program::fragment(const Functions& gl, const Project& project, const Pass& pass) {
-  const std::string vertex_source = vertex_text_for(pass.source.text());
+  const std::string vertex_source = vertex_text_for(pass, pass.source.text());
   const Shader vertex(gl, GL_VERTEX_SHADER, vertex_source);
-  if (!vertex.compiled())
+  if (pass.vertex.has_value())
+    compile(vertex, project, pass, *pass.vertex, 1);
+  else if (!vertex.compiled())
     throw Error(ExitStatus::device, "this OpenGL does not take `" +
                                         vertex_source.substr(0, vertex_source.find('\n')) +
                                         "` shaders: " + vertex.log());
   const Shader fragment(gl, GL_FRAGMENT_SHADER, pass.source.text());
-  compile(fragment, project, pass, 1);
+  compile(fragment, project, pass, pass.source, 1);
   Program program(gl);
   gl.AttachShader(program.name_, vertex.name());
   gl.AttachShader(program.name_, fragment.name());
@@ -98,7 +106,7 @@ Program Program::fragment(const Functions& gl, const Project& project, const Pas
 
 Program Program::compute(const Functions& gl, const Project& project, const Pass& pass) {
   const Shader shader(gl, GL_COMPUTE_SHADER, compute_text(project, pass, group_size, group_size));
-  compile(shader, project, pass, compute_first_line);
+  compile(shader, project, pass, pass.source, compute_first_line);
   Program program(gl);
   gl.AttachShader(program.name_, shader.name());
   link(gl, program.name_, pass);

@@ -11,8 +11,8 @@ namespace shadertwin::gl {
 // A linked program. Its context must be current when it is destroyed.
 class Program {
  public:
-  // A fragment program over a triangle that covers the target. Throws Error(shader), every message of the
-  // driver mapped to the user's files.
+  // A fragment program over a triangle that covers the target, or over what the pass's own vertex shader
+  // makes of six vertices. Throws Error(shader), every message of the driver mapped to the user's files.
   static Program fragment(const Functions& gl, const Project& project, const Pass& pass);
   // The same pass as a compute program of 8x8 invocations a group. Throws Error(shader).
   static Program compute(const Functions& gl, const Project& project, const Pass& pass);

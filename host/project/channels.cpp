@@ -143,8 +143,6 @@ PassFlags apply_directives(Project& project, const std::vector<PlacedDirective>&
     if (directive.kind == Kind::keyboard) flags.keyboard = true;
     if (directive.kind == Kind::strict_compatibility) flags.strict = true;
     if (directive.kind == Kind::first_person_controls) project.first_person_controls = true;
-    if (directive.kind == Kind::vertex && directive.text != "default")
-      warn(project, at, "#iVertex is not supported: the pass is drawn over the whole picture");
     if (directive.kind != Kind::uniform) continue;
     const CustomUniform& uniform = directive.uniform;
     const auto known = std::find_if(project.uniforms.begin(), project.uniforms.end(),

@@ -51,6 +51,7 @@ bool can_run_as_compute(const Pass& pass, std::string* why) {
     return false;
   };
   if (pass.kind != PassKind::image && pass.kind != PassKind::buffer) return no("the pass is not a picture");
+  if (pass.vertex.has_value()) return no("it has its own vertex shader");
   if (pass.source.head.find(output_line) == std::string::npos)
     return no("the shader declares its own output");
   const std::vector<Token> tokens = tokenize(pass.source.body);

@@ -4,6 +4,7 @@
 #include "host/project/channels.h"
 #include "host/project/load.h"
 #include "host/project/text_file.h"
+#include "host/project/vertex_text.h"
 #include "host/project/wrapper.h"
 
 namespace shadertwin {
@@ -67,6 +68,8 @@ class FileLoader {
          .self = index,
          .find_pass = [this](const fs::path& other, const PlacedDirective&) { return visit(other); }},
         directives, pass.inputs);
+    if (const auto vertex = find_vertex(project_, directives))
+      pass.vertex = load_vertex(project_, texts_, *vertex, root_, options_);
     pass.source.body = body.text();
     pass.source.lines = body.lines();
     passes_[static_cast<std::size_t>(index)] = std::move(pass);

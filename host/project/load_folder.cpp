@@ -5,6 +5,7 @@
 #include "host/project/load.h"
 #include "host/project/tabs_settings.h"
 #include "host/project/text_file.h"
+#include "host/project/vertex_text.h"
 #include "host/project/wrapper.h"
 
 namespace shadertwin {
@@ -118,6 +119,8 @@ class FolderLoader {
                    .find_pass = [this](const fs::path& other,
                                        const PlacedDirective& at) { return pass_of(other, at); }},
                   directives, pass.inputs);
+    if (const auto vertex = find_vertex(project_, directives))
+      pass.vertex = load_vertex(project_, texts_, *vertex, folder_ / "image.glsl", options_);
     pass.source.body = body.text();
     pass.source.lines = body.lines();
   }

@@ -94,6 +94,10 @@ struct Pass {
   PassKind kind = PassKind::image;
   PassSource source;
   std::array<Input, max_channels> inputs;
+  // The pass's own vertex shader (#iVertex): it places the six vertices of two triangles by gl_VertexID,
+  // those that turn their backs are not drawn, and its outputs are the fragments' inputs. Nothing: every
+  // pixel is drawn.
+  std::optional<PassSource> vertex;
   bool has_vr = false;    // it defines mainVR
   bool keyboard = false;  // the extension's iKeyboard is bound: 256x4, rows held, pressed, toggled, released
 };
@@ -139,7 +143,7 @@ struct LoadOptions {
   std::filesystem::path media = {};
   // `out` parameters start as zero, as in browsers. Off to find shaders that rely on it.
   bool zero_outputs = true;
-  // The picture is mainVR() for two eyes side by side, if the shader has one.
+  // The picture is mainVR() for two eyes side by side. Error(shader) if the shader has none.
   bool vr = false;
   bool muted = false;  // Project::muted
 };

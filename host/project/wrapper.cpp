@@ -94,11 +94,20 @@ void add_channels(Head& head, const Project& project, const Pass& pass, int chan
 }
 
 // The names of GLSL ES 1.00 that three.js, which the extension draws with, gives to those of 3.00.
+void add_fragment_names(Head& head) {
+  head.macro("varying", "in");
+  head.macro("gl_FragColor", "shadertoy_out_color");
+  head.macro("gl_FragDepthEXT", "gl_FragDepth");
+  head.macro("GLSL_FRAGCOLOR", "gl_FragColor");
+}
+
+void add_vertex_names(Head& head) {
+  head.macro("attribute", "in");
+  head.macro("varying", "out");
+}
+
 void add_legacy_names(Head& head) {
   static constexpr std::pair<const char*, const char*> names[] = {
-      {"varying", "in"},
-      {"gl_FragColor", "shadertoy_out_color"},
-      {"gl_FragDepthEXT", "gl_FragDepth"},
       {"texture2D", "texture"},
       {"textureCube", "texture"},
       {"texture2DProj", "textureProj"},
@@ -108,7 +117,6 @@ void add_legacy_names(Head& head) {
       {"texture2DGradEXT", "textureGrad"},
       {"texture2DProjGradEXT", "textureProjGrad"},
       {"textureCubeGradEXT", "textureGrad"},
-      {"GLSL_FRAGCOLOR", "gl_FragColor"},
       {"iGlobalTime", "iTime"},
       {"iGlobalFrame", "iFrame"},
   };
@@ -149,11 +157,17 @@ void add_shadertoy(Head& head, const Project& project, const Pass& pass) {
   for (const CustomUniform& uniform : project.uniforms) head.uniform(glsl_name(uniform.type), uniform.name);
 }
 
-[[noreturn]] void fail_without_entry(const Project& project, const Pass& pass, const char* entry) {
-  // The pass's own file is the one that its last line is from.
-  const int file = pass.source.lines.empty() ? -1 : pass.source.lines.back().file;
+// `file:1: error: message` about the file that the text is from.
+[[noreturn]] void fail_in(const Project& project, const Pass& pass, const PassSource& source,
+                          const std::string& message) {
+  // An own file is the one that the last line is from.
+  const int file = source.lines.empty() ? -1 : source.lines.back().file;
   const std::string name = file < 0 ? pass.name : project.files[static_cast<std::size_t>(file)];
-  throw Error(ExitStatus::shader, name + ":1: error: there is no " + entry);
+  throw Error(ExitStatus::shader, name + ":1: error: " + message);
+}
+
+[[noreturn]] void fail_without_entry(const Project& project, const Pass& pass, const std::string& entry) {
+  fail_in(project, pass, pass.source, "there is no " + entry);
 }
 
 // main() for the kind of pass; none if it is the user's own.
@@ -168,11 +182,37 @@ std::optional<MainText> choose_main(const Project& project, const Pass& pass, co
     if (!entry.cubemap) fail_without_entry(project, pass, "mainCubemap(out vec4, in vec2, in vec3, in vec3)");
     return cubemap_main();
   }
-  if (options.vr && entry.vr && pass.kind == PassKind::image) return vr_main(opaque);
+  if (options.vr && pass.kind == PassKind::image) {
+    if (!entry.vr) fail_without_entry(project, pass, "mainVR(out vec4, in vec2, in vec3, in vec3)");
+    return vr_main(opaque);
+  }
   if (entry.image && (!entry.main || options.strict))
     return image_main(opaque, asserts, entry.image_is_inout);
   if (!entry.main) fail_without_entry(project, pass, "mainImage(out vec4, in vec2) and no main()");
   return std::nullopt;
+}
+
+bool is_vertex_shader(const std::vector<Token>& tokens) {
+  return mentions(tokens, "gl_Position") && !mentions(tokens, "gl_FragCoord") &&
+         !mentions(tokens, "gl_FragColor") && !mentions(tokens, "GLSL_FRAGCOLOR");
+}
+
+// A vertex shader sees the uniforms of its pass.
+void wrap_vertex(const Project& project, const Pass& pass, PassSource& source, const WrapOptions& options) {
+  source.body = as_in_a_browser(source.body, options.zero_outputs);
+  const std::vector<Token> tokens = tokenize(source.body);
+  if (!find_entry_points(tokens).main) fail_in(project, pass, source, "a vertex shader needs a main()");
+  Head head(tokens);
+  add_version(head);
+  head.macro("SHADER_TOY", "");
+  if (project.dialect == Dialect::shadertoy) {
+    add_shadertoy(head, project, pass);
+  } else {
+    add_vscode(head, project, pass, options);
+    add_vertex_names(head);
+  }
+  if (mentions(tokens, "shadertwin_nothing")) head.line("#define shadertwin_nothing");
+  source.head = head.take();
 }
 
 }  // namespace
@@ -181,6 +221,9 @@ void wrap_pass(const Project& project, Pass& pass, const WrapOptions& options) {
   pass.source.body = as_in_a_browser(pass.source.body, options.zero_outputs);
   const std::vector<Token> tokens = tokenize(pass.source.body);
   const EntryPoints entry = find_entry_points(tokens);
+  if (!entry.image && entry.main && is_vertex_shader(tokens))
+    fail_in(project, pass, pass.source,
+            "this is a vertex shader: a shader that is drawn names it by #iVertex");
   const bool shadertoy = project.dialect == Dialect::shadertoy;
   const bool asserts = shadertoy && pass.kind == PassKind::image && mentions(tokens, "st_assert");
   pass.has_vr = entry.vr;
@@ -189,10 +232,12 @@ void wrap_pass(const Project& project, Pass& pass, const WrapOptions& options) {
   Head head(tokens);
   add_version(head);
   if (options.local || !shadertoy) head.macro("SHADER_TOY", "");
-  if (shadertoy)
+  if (shadertoy) {
     add_shadertoy(head, project, pass);
-  else
+  } else {
     add_vscode(head, project, pass, options);
+    add_fragment_names(head);
+  }
   if (mentions(tokens, "shadertwin_nothing")) head.line("#define shadertwin_nothing");
   if (!entry.output) head.line("layout(location = 0) out vec4 shadertoy_out_color;");
   if (asserts) head.text(assert_text());
@@ -207,6 +252,7 @@ void wrap_pass(const Project& project, Pass& pass, const WrapOptions& options) {
   else if (main)
     pass.source.tail = main->main;
   pass.source.head = head.take();
+  if (pass.vertex.has_value()) wrap_vertex(project, pass, *pass.vertex, options);
 }
 
 }  // namespace shadertwin

@@ -10,7 +10,7 @@ struct WrapOptions {
   bool strict = false;    // #StrictCompatibility: main() is the host's even if the user's text has one
   bool local = false;     // SHADER_TOY is defined: the text was written for a local host
   bool zero_outputs = true;
-  bool vr = false;  // the picture is mainVR's, if there is one
+  bool vr = false;  // the picture is mainVR's
 };
 
 // Fills the head and tail of pass.source around its body and has_vr, and makes the body one that every

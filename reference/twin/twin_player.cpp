@@ -48,6 +48,10 @@ class TwinPlayerImpl final : public TwinPlayer {
   TwinPlayerImpl(const Project& project, const TwinOptions& options) : project_(project), options_(options) {
     const std::vector<bool> history = passes_with_history(project_);
     passes_.resize(project_.passes.size());
+    for (const Pass& pass : project_.passes)
+      if (pass.vertex.has_value())
+        throw Error(ExitStatus::device,
+                    pass.name + ": error: the twin draws no triangles of a vertex shader (#iVertex)");
     compile_missing();
     for (std::size_t i = 0; i < passes_.size(); ++i) {
       if (project_.passes[i].kind == PassKind::sound) continue;

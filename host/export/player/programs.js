@@ -18,13 +18,14 @@ function makeShader(gl, type, text) {
 }
 
 // A program whose link may still be under way.
-function startProgram(gl, fragmentText) {
+function startProgram(gl, fragmentText, vertexText = triangle) {
   const program = gl.createProgram();
+  const vertex = makeShader(gl, gl.VERTEX_SHADER, vertexText);
   const fragment = makeShader(gl, gl.FRAGMENT_SHADER, fragmentText);
-  gl.attachShader(program, makeShader(gl, gl.VERTEX_SHADER, triangle));
+  gl.attachShader(program, vertex);
   gl.attachShader(program, fragment);
   gl.linkProgram(program);
-  return { program, fragment };
+  return { program, vertex, fragment };
 }
 
 // Lets the page breathe until the driver is done, where it can say so.
@@ -46,13 +47,14 @@ function placeOf(runs, index) {
   return last; // what is noticed behind the text, a missing brace say, belongs to its last line
 }
 
-function mappedLog(project, pass, log) {
-  const head = pass.head.split('\n').length - 1;
+// source: a pass, or its vertex shader.
+function mappedLog(project, pass, source, log) {
+  const head = source.head.split('\n').length - 1;
   const lines = log.replace(/\0/g, '').split('\n').filter((line) => line.trim() !== '');
   return lines.map((line) => {
     const [, severity, number, text] = /^(ERROR|WARNING): \d+:(\d+): (.*)/.exec(line) ?? [];
     const index = Number(number) - 1 - head;
-    const place = index >= 0 ? placeOf(pass.lines, index) : null;
+    const place = index >= 0 ? placeOf(source.lines, index) : null;
     if (!place || place.file < 0) return `${pass.name}: ${line}`;
     return `${project.files[place.file]}:${place.line}: ${severity.toLowerCase()}: ${text}`;
   });
@@ -60,13 +62,15 @@ function mappedLog(project, pass, log) {
 
 // Compiles all passes at once. Sets pass.program; gives the messages of those that fail.
 async function compilePasses(gl, project) {
-  const started = project.passes.map((pass) => startProgram(gl, pass.head + pass.body + pass.tail));
+  const text = (source) => source.head + source.body + source.tail;
+  const started = project.passes.map((pass) => startProgram(gl, text(pass), pass.vertex ? text(pass.vertex) : triangle));
   const messages = [];
   for (const [i, pass] of project.passes.entries()) {
     pass.program = started[i].program;
     if (await finished(gl, started[i])) continue;
+    const vertexLog = pass.vertex && gl.getShaderInfoLog(started[i].vertex);
     const log = gl.getShaderInfoLog(started[i].fragment) || gl.getProgramInfoLog(pass.program) || 'error';
-    messages.push(...mappedLog(project, pass, log));
+    messages.push(...mappedLog(project, pass, vertexLog ? pass.vertex : pass, vertexLog || log));
   }
   return messages;
 }

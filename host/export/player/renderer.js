@@ -250,7 +250,9 @@ class Renderer {
       if (pass.face) gl.uniform1i(pass.face, face);
       // The extension clears every target before it draws, which shows where a shader discards.
       if (!this.project.site) gl.clearBufferfv(gl.COLOR, 0, [0, 0, 0, 0]);
-      gl.drawArrays(gl.TRIANGLES, 0, 3);
+      if (pass.vertex) gl.enable(gl.CULL_FACE);
+      gl.drawArrays(gl.TRIANGLES, 0, pass.vertex ? 6 : 3);
+      gl.disable(gl.CULL_FACE);
     }
     if (!target) return;
     target.front = back;
