@@ -47,6 +47,10 @@ class Rewriter {
       if (token.is("precision") && !token.preprocessor) drop_precision(i);
       if (is_precision(token) && !token.preprocessor) drop(i);
       if (token.kind == Token::Kind::string || token.kind == Token::Kind::open_string) drop_quotes(token);
+      // The last label of a switch needs a statement that does something.
+      if (token.is(";") && i > 0 && i + 1 < tokens_.size() && tokens_[i - 1].is(":") &&
+          tokens_[i + 1].is("}"))
+        edits_.push_back({token.begin, 0, "break"});
       if (one_parameter_.contains(token.text) && i + 2 < tokens_.size() && tokens_[i + 1].is("(") &&
           tokens_[i + 2].is(")"))
         edits_.push_back({tokens_[i + 2].begin, 0, "shadertwin_nothing"});
@@ -234,6 +238,7 @@ class Rewriter {
 
   // The parameters of a definition; a prototype may stay as it is.
   void fix_function(std::size_t open) {
+    if (macros_.contains(tokens_[open - 1].text)) return;
     std::size_t close = open;
     int depth = 0;
     for (; close < tokens_.size(); ++close) {

@@ -20,6 +20,7 @@ namespace shadertwin {
 // - quotes go: browsers never read what the preprocessor skips;
 // - a global variable named as a built-in function gets the prefix, and so do functions that overload those
 //   few built-ins which browsers leave open (`mix`, `texture` ...);
+// - an empty statement behind the last label of a `switch` becomes `break`;
 // - a member called `length` of a structure gets the prefix;
 // - a macro of one parameter that is called with nothing is called with shadertwin_nothing, which the head
 //   defines;

@@ -19,6 +19,13 @@ bool has_two_parameters(const std::vector<Token>& tokens, std::size_t i) {
   return false;
 }
 
+// Whether the macro that token i is the name of has that name in its text, too.
+bool names_itself(const std::vector<Token>& tokens, std::size_t i) {
+  for (std::size_t k = i + 1; k < tokens.size() && tokens[k].preprocessor && !tokens[k].first; ++k)
+    if (tokens[k].is(tokens[i].text)) return true;
+  return false;
+}
+
 }  // namespace
 
 EntryPoints find_entry_points(const std::vector<Token>& tokens) {
@@ -37,7 +44,8 @@ EntryPoints find_entry_points(const std::vector<Token>& tokens) {
       found.image = true;
       if (i + 2 < tokens.size() && tokens[i + 1].is("(") && tokens[i + 2].is("inout"))
         found.image_is_inout = true;
-      if (i >= 2 && tokens[i - 1].is("define") && tokens[i - 2].is("#")) found.image_is_macro = true;
+      if (i >= 2 && tokens[i - 1].is("define") && tokens[i - 2].is("#") && !names_itself(tokens, i))
+        found.image_is_macro = true;
     }
     if (token.is("mainCubemap")) found.cubemap = true;
     if (token.is("mainVR")) found.vr = true;

@@ -16,7 +16,7 @@ struct EntryPoints {
   bool sound_of_time = false;   // the old mainSound(float time)
   bool vr = false;              // mainVR
   bool output = false;          // a global `out` variable of the user's
-  bool image_is_macro = false;  // #define mainImage
+  bool image_is_macro = false;  // #define mainImage as something else
   bool image_is_inout = false;  // mainImage(inout vec4
 };
 

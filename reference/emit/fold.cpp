@@ -1,6 +1,7 @@
 #include "reference/emit/fold.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -126,6 +127,80 @@ Values fold_call(const TIntermAggregate& call) {
   }
 }
 
+TIntermTyped* made_constant(const glslang::TConstUnionArray& values, const TIntermConstantUnion& operand,
+                            const glslang::TType& type) {
+  auto* node = new TIntermConstantUnion(values, type);  // in glslang's pool
+  node->getWritableType().getQualifier().storage = glslang::EvqConst;
+  node->setLoc(operand.getLoc());
+  return node;
+}
+
+// Of the matrix with these rows and columns left.
+double determinant(const std::vector<std::vector<double>>& m) {
+  if (m.size() == 1) return m[0][0];
+  double sum = 0.0;
+  for (std::size_t column = 0; column < m.size(); ++column) {
+    std::vector<std::vector<double>> minor;
+    for (std::size_t i = 0; i < m.size(); ++i) {
+      if (i == column) continue;
+      minor.emplace_back(m[i].begin() + 1, m[i].end());
+    }
+    sum += (column % 2 == 0 ? 1.0 : -1.0) * m[column][0] * determinant(minor);
+  }
+  return sum;
+}
+
+// The functions of one matrix, which glslang leaves for the running shader; null for other functions.
+TIntermTyped* fold_matrix(TOperator op, const TIntermConstantUnion& operand, const glslang::TType& type) {
+  if (op != glslang::EOpTranspose && op != glslang::EOpDeterminant && op != glslang::EOpMatrixInverse)
+    return nullptr;
+  const int columns = operand.getMatrixCols();
+  const int rows = operand.getMatrixRows();
+  std::vector<std::vector<double>> m(static_cast<std::size_t>(columns));
+  for (int i = 0; i < columns * rows; ++i)
+    m[static_cast<std::size_t>(i / rows)].push_back(operand.getConstArray()[i].getDConst());
+  std::vector<double> values;
+  if (op == glslang::EOpTranspose) {
+    for (int row = 0; row < rows; ++row)
+      for (const auto& column : m) values.push_back(column[static_cast<std::size_t>(row)]);
+  } else if (op == glslang::EOpDeterminant) {
+    values = {determinant(m)};
+  } else {
+    const double whole = determinant(m);
+    for (std::size_t i = 0; i < m.size(); ++i)
+      for (std::size_t j = 0; j < m.size(); ++j) {
+        std::vector<std::vector<double>> minor;  // without column j and row i
+        for (std::size_t k = 0; k < m.size(); ++k) {
+          if (k == j) continue;
+          minor.push_back(m[k]);
+          minor.back().erase(minor.back().begin() + static_cast<std::ptrdiff_t>(i));
+        }
+        values.push_back(((i + j) % 2 == 0 ? 1.0 : -1.0) * determinant(minor) / whole);
+      }
+  }
+  glslang::TConstUnionArray folded(static_cast<int>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i) folded[static_cast<int>(i)].setDConst(values[i]);
+  return made_constant(folded, operand, type);
+}
+
+// floatBitsToInt() and its kin, for which the same holds.
+TIntermTyped* fold_bits(TOperator op, const TIntermConstantUnion& operand, const glslang::TType& type) {
+  const bool from_float = op == glslang::EOpFloatBitsToInt || op == glslang::EOpFloatBitsToUint;
+  if (!from_float && op != glslang::EOpIntBitsToFloat && op != glslang::EOpUintBitsToFloat) return nullptr;
+  const glslang::TConstUnionArray& values = operand.getConstArray();
+  glslang::TConstUnionArray folded(values.size());
+  for (int i = 0; i < values.size(); ++i) {
+    const auto bits = from_float ? std::bit_cast<unsigned>(static_cast<float>(values[i].getDConst()))
+                      : values[i].getType() == glslang::EbtUint
+                          ? values[i].getUConst()
+                          : static_cast<unsigned>(values[i].getIConst());
+    if (op == glslang::EOpFloatBitsToInt) folded[i].setIConst(static_cast<int>(bits));
+    if (op == glslang::EOpFloatBitsToUint) folded[i].setUConst(bits);
+    if (!from_float) folded[i].setDConst(static_cast<double>(std::bit_cast<float>(bits)));
+  }
+  return made_constant(folded, operand, type);
+}
+
 // What glslang folded, with `values` where we know better.
 TIntermTyped* corrected(TIntermTyped* node, const Values& values) {
   if (folding == Folding::float64) return node;
@@ -164,6 +239,9 @@ TIntermTyped* WRAP(FOLD_BINARY)(const TIntermConstantUnion* left, TOperator op, 
 TIntermTyped* REAL(FOLD_UNARY)(const TIntermConstantUnion* operand, TOperator op, const glslang::TType& type);
 TIntermTyped* WRAP(FOLD_UNARY)(const TIntermConstantUnion* operand, TOperator op,
                                const glslang::TType& type) {
+  if (TIntermTyped* node = shadertwin::emit::fold_matrix(op, *operand, type))
+    return shadertwin::emit::rounded(node);
+  if (TIntermTyped* node = shadertwin::emit::fold_bits(op, *operand, type)) return node;
   const auto values = shadertwin::emit::fold_vector(op, *operand);
   return shadertwin::emit::corrected(REAL(FOLD_UNARY)(operand, op, type), values);
 }

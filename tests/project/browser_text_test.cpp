@@ -25,6 +25,8 @@ TEST(BrowserText, NamesParametersWithoutOne) {
             "shadertwin_unnamed_2) {}");
   EXPECT_EQ(as_in_a_browser("float f(vec2); float g(void) {} float h() {}", true),
             "float f(vec2); float g(void) {} float h() {}");
+  EXPECT_EQ(as_in_a_browser("#define f(a) f(vec2 a)\nfloat f(p) {}", true),
+            "#define f(a) f(vec2 a)\nfloat f(p) {}");
   EXPECT_EQ(as_in_a_browser("#define P vec2 p\nfloat f(P) {}", true), "#define P vec2 p\nfloat f(P) {}");
 }
 
@@ -85,6 +87,11 @@ TEST(BrowserText, RenamesOverloadsOfOpenBuiltinsAndForwardsTheOthers) {
                       "shadertwin_mix(a, b, c); }"),
             std::string::npos)
       << text;
+}
+
+TEST(BrowserText, GivesTheLastLabelAStatement) {
+  EXPECT_EQ(as_in_a_browser("switch (k) { case 1: ; case 2: ; }", true),
+            "switch (k) { case 1: ; case 2: break; }");
 }
 
 TEST(BrowserText, RenamesMembersCalledLength) {

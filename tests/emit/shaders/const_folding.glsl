@@ -5,6 +5,9 @@ const mat3 m = mat3(0.00, 0.80, 0.60, -0.80, 0.36, -0.48, -0.60, -0.48, 0.64);
 const mat3 mm = m * m;
 const int n = int(3.7) + 2, list[3] = int[](n, n * 2, n / 2);
 const bool flag = n > 4 && a < b;
+const mat3 turned = transpose(mat3(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0)), back = inverse(mat3(2.0, 0.0, 0.0, 1.0, 4.0, 0.0, 0.0, 2.0, 0.5));
+const float size = determinant(turned), infinite = uintBitsToFloat(0x7f800000u);
+const ivec2 bits = floatBitsToInt(vec2(2.0, -1.0));
 void mainImage(out vec4 color, in vec2 p) {
   const float local = c * 0.9 - e, other = mix(0.1, 0.9, 0.35);
   float sizes[n];
@@ -12,4 +15,5 @@ void mainImage(out vec4 color, in vec2 p) {
   color = vec4(c, d, e, sizes[4]);
   if (p.y > 3.0) color = vec4(w, flag ? dot(v, w) : 0.0);
   if (p.y > 6.0) color = vec4((m * v).x, mm[1][2], float(list[int(p.x) % 3]), other);
+  if (p.x > 12.0) color = vec4(turned[2].x + back[1].y * p.x, size, p.x < infinite ? bits : -bits);
 }
