@@ -118,7 +118,7 @@ class Describer {
 
   // Files that a browser reads as we do go in as they are: it decodes 8 bits a channel.
   Json add_picture(const Input& input, const Texture& texture) {
-    const bool as_files = texture.format == Texture::Format::rgba8 && texture.depth == 1 &&
+    const bool as_files = texture.format == Texture::Format::rgba8 && !texture.is_volume &&
                           std::all_of(input.files.begin(), input.files.end(), [](const auto& file) {
                             return media_type(file).starts_with("image/");
                           });

@@ -17,7 +17,8 @@ GLenum target_of_empty(const Input& input) {
 ChannelTexture ChannelTextures::load(const Input& input) {
   switch (input.kind) {
     case InputKind::texture:
-    case InputKind::cubemap: {
+    case InputKind::cubemap:
+    case InputKind::volume: {
       const Picture& loaded = picture(input);
       return {{texture_target(loaded.texture), loaded.object.name()},
               channel_size(project_, input, &loaded.texture, {0, 0})};
@@ -59,7 +60,8 @@ void ChannelTextures::update(const Frame& frame) {
 
 ChannelTextures::Picture& ChannelTextures::picture(const Input& input) {
   const bool mipmaps = uses_mipmaps(input.sampler.min);
-  std::string key = std::string(mipmaps ? "mipmaps" : "plain") + (input.sampler.vflip ? " flipped" : "");
+  std::string key = std::string(mipmaps ? "mipmaps" : "plain") + (input.sampler.vflip ? " flipped" : "") +
+                    (input.red_only ? " red" : "");
   for (const auto& file : input.files) key += '\n' + file.string();
   auto found = pictures_.find(key);
   if (found == pictures_.end()) {

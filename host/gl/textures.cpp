@@ -25,7 +25,7 @@ bool uses_mipmaps(MinFilter filter) {
 
 GLenum texture_target(const Texture& texture) {
   if (texture.faces == 6) return GL_TEXTURE_CUBE_MAP;
-  return texture.depth > 1 ? GL_TEXTURE_3D : GL_TEXTURE_2D;
+  return texture.is_volume ? GL_TEXTURE_3D : GL_TEXTURE_2D;
 }
 
 TextureObject upload(const Functions& gl, const Texture& texture, bool mipmaps) {

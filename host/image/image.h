@@ -28,6 +28,7 @@ struct Texture {
   int width = 0;
   int height = 0;
   int depth = 1;                // slices of a volume, else 1
+  bool is_volume = false;       // sampled in three dimensions, also with one slice
   int faces = 1;                // 6 for a cubemap, in the order +X -X +Y -Y +Z -Z
   std::vector<std::byte> data;  // width * height * depth * faces texels; row 0 is the row at t = 0
 
@@ -43,6 +44,12 @@ Texture read_texture(const std::filesystem::path& file, bool flip);
 // Reads six faces (+X -X +Y -Y +Z -Z), all of one square size and one precision, the deepest that occurs.
 // Throws Error(file).
 Texture read_cubemap(const std::vector<std::filesystem::path>& faces, bool flip);
+
+// Reads a volume as shadertoy.com serves them (.bin): 20 bytes of header (BIN\0, three u32 of size, u8
+// channels, u8 layout, u16 format: 0 for bytes, 10 for floats), then the texels, x fastest. Green and blue
+// that are not there are 0, alpha is 1. Throws Error(file), also for a file of another length than its header
+// says.
+Texture read_volume(const std::filesystem::path& file);
 
 // Reads any picture as float. Row 0 is the bottom row. Integer formats are scaled to [0, 1]. Throws
 // Error(file).

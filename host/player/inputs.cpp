@@ -1,8 +1,27 @@
 #include "host/player/inputs.h"
 
+#include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace shadertwin {
+
+namespace {
+
+// A texture of one channel: green and blue are 0, alpha is 1.
+void keep_red(Texture& texture) {
+  const std::size_t value = texture.texel_bytes() / 4;
+  const float one = 1.0F;
+  for (std::size_t i = 0; i < texture.data.size(); i += 4 * value) {
+    std::fill_n(&texture.data[i + value], 2 * value, std::byte{0});
+    if (value == 1)
+      texture.data[i + 3] = std::byte{255};
+    else
+      std::memcpy(&texture.data[i + 3 * value], &one, sizeof one);
+  }
+}
+
+}  // namespace
 
 Texture load_texture(const Input& input) {
   if (input.kind == InputKind::cubemap) {
@@ -11,7 +30,10 @@ Texture load_texture(const Input& input) {
     if (input.sampler.vflip && faces.size() == 6) std::swap(faces[2], faces[3]);
     return read_cubemap(faces, input.sampler.vflip);
   }
-  return read_texture(input.files.front(), input.sampler.vflip);
+  if (input.kind == InputKind::volume) return read_volume(input.files.front());
+  Texture texture = read_texture(input.files.front(), input.sampler.vflip);
+  if (input.red_only) keep_red(texture);
+  return texture;
 }
 
 Input bound_input(const Pass& pass, std::size_t channel) {

@@ -89,7 +89,8 @@ void Picture::finish_drawing() {
 
 const Picture& PictureLibrary::load(const Input& input) {
   const bool mipmaps = uses_mipmaps(input.sampler);
-  std::string key = std::string(mipmaps ? "mipmaps" : "plain") + (input.sampler.vflip ? " flipped" : "");
+  std::string key = std::string(mipmaps ? "mipmaps" : "plain") + (input.sampler.vflip ? " flipped" : "") +
+                    (input.red_only ? " red" : "");
   for (const auto& file : input.files) key += '\n' + file.string();
   auto found = pictures_.find(key);
   if (found == pictures_.end())
@@ -158,7 +159,7 @@ void UniformList::add_sampler(const char* name, const void* sampler) {
 void Channels::bind(std::size_t channel, const Picture& picture, const Sampler& sampler) {
   if (picture.texture().faces == 6)
     samplers_[channel] = glsl::bindcube(picture.image(), sampler);
-  else if (picture.texture().depth > 1)
+  else if (picture.texture().is_volume)
     samplers_[channel] = glsl::bind3d(picture.image(), sampler);
   else
     samplers_[channel] = glsl::bind2d(picture.image(), sampler);

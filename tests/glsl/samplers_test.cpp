@@ -46,6 +46,7 @@ Texture noise(const Setting& setting, int depth, int faces) {
   texture.width = setting.width;
   texture.height = setting.height;
   texture.depth = depth;
+  texture.is_volume = depth > 1;
   texture.faces = faces;
   const int texels = setting.width * setting.height * depth * faces;
   texture.data.resize(texture.texel_bytes() * static_cast<std::size_t>(texels));
