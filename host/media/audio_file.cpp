@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/media/libav.h"
+#include "host/media/riff.h"
 
 namespace shadertwin::media {
 
@@ -34,6 +35,8 @@ int audio_stream(const InputFormat& input, const fs::path& file) {
 // has more.
 double measure(const fs::path& file) {
   const InputFormat input = open_input(file);
+  if (const std::uint64_t missing = missing_riff_bytes(file); missing > 0)
+    fail(file, "it breaks off: " + std::to_string(missing) + " bytes of sound are missing");
   const int index = audio_stream(input, file);
   const AVStream& stream = *input->streams[index];
   if (stream.codecpar->sample_rate < min_rate || stream.codecpar->sample_rate > max_rate)
@@ -53,7 +56,8 @@ double measure(const fs::path& file) {
   const bool guessed = input->duration_estimation_method == AVFMT_DURATION_FROM_BITRATE;
   const double tolerance = std::max(0.25, 0.01 * claimed);
   if (!guessed && there > 0.0 && there < claimed - tolerance)
-    fail(file, "it ends after " + std::to_string(there) + " of " + std::to_string(claimed) + " seconds");
+    fail(file,
+         "it breaks off after " + std::to_string(there) + " of " + std::to_string(claimed) + " seconds");
   if (std::max(there, guessed ? 0.0 : claimed) > max_seconds) fail(file, "it is longer than an hour");
   return there;
 }

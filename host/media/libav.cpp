@@ -30,7 +30,7 @@ void silence_libav() {
 }
 
 void fail(const fs::path& file, const std::string& message) {
-  throw Error(ExitStatus::file, file.generic_string() + ": error: " + message);
+  throw Error(ExitStatus::file, file.generic_string() + ": " + message);
 }
 
 InputFormat open_input(const fs::path& file) {

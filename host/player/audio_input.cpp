@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "host/media/analyser.h"
 #include "host/media/audio_file.h"
+#include "host/media/microphone.h"
 
 namespace shadertwin {
 
@@ -153,14 +155,41 @@ class Music final : public AudioTexture {
   double time_ = 0.0;
 };
 
+class LiveSound final : public AudioTexture {
+ public:
+  LiveSound(std::unique_ptr<media::Microphone> microphone, Dialect dialect)
+      : AudioTexture(dialect == Dialect::vscode),
+        microphone_(std::move(microphone)),
+        listener_(dialect),
+        mono_(listener_.size()) {}
+
+  double time() const override { return 0.0; }  // as on shadertoy.com
+
+ private:
+  Bytes analyse(const Frame&) override {
+    microphone_->listen(mono_);
+    return listener_.hear(mono_);
+  }
+
+  std::unique_ptr<media::Microphone> microphone_;
+  Listener listener_;
+  std::vector<float> mono_;
+};
+
 }  // namespace
 
 std::unique_ptr<MovingInput> open_audio_input(const Project& project, const Input& input,
-                                              std::vector<std::string>&) {
+                                              std::vector<std::string>& warnings) {
   const bool grey = project.dialect == Dialect::vscode;
-  if (input.kind == InputKind::music && !project.muted)
-    return std::make_unique<Music>(input.files.front(), project.dialect);
   if (project.muted) return std::make_unique<Preview>(grey);
+  if (input.kind == InputKind::music) return std::make_unique<Music>(input.files.front(), project.dialect);
+  if (input.kind == InputKind::microphone) {
+    std::string why;
+    if (auto microphone = media::Microphone::open(sound_rate, why))
+      return std::make_unique<LiveSound>(std::move(microphone), project.dialect);
+    warnings.push_back("warning: there is no microphone (" + why +
+                       "): the channel is silent (--mute gives shadertoy.com's preview)");
+  }
   return std::make_unique<Silence>(grey);
 }
 

@@ -1,0 +1,133 @@
+// Music as the browser's own AnalyserNode hears it, frame by frame, against the texture that shadertwin makes.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+
+import { openBrowser, openPage } from './browser.mjs';
+import { readExr } from './exr.mjs';
+import { shadertwin } from './player.mjs';
+
+const rate = 44100;
+const step = 6 * 128; // samples a frame: whole quanta, in which Web Audio works
+const frames = 40;
+
+let browser, folder;
+before(async () => {
+  browser = await openBrowser();
+  folder = mkdtempSync(path.join(tmpdir(), 'media-'));
+});
+after(async () => {
+  await browser.close();
+  rmSync(folder, { recursive: true });
+});
+
+// 16-bit stereo: a chirp that fades, a beat of noise, and a pause.
+function makeWav(samples) {
+  const bytes = Buffer.alloc(44 + 4 * samples);
+  bytes.write('RIFF', 0);
+  bytes.writeUInt32LE(36 + 4 * samples, 4);
+  bytes.write('WAVEfmt ', 8);
+  bytes.writeUInt32LE(16, 16);
+  bytes.writeUInt16LE(1, 20);
+  bytes.writeUInt16LE(2, 22);
+  bytes.writeUInt32LE(rate, 24);
+  bytes.writeUInt32LE(4 * rate, 28);
+  bytes.writeUInt16LE(4, 32);
+  bytes.writeUInt16LE(16, 34);
+  bytes.write('data', 36);
+  bytes.writeUInt32LE(4 * samples, 40);
+  let seed = 1;
+  for (let i = 0; i < samples; ++i) {
+    const t = i / rate;
+    seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+    const noise = t % 0.25 < 0.03 ? seed / 2 ** 31 - 1 : 0;
+    const chirp = Math.sin(2 * Math.PI * (200 + 8000 * t) * t) * Math.exp(-2 * t);
+    const loud = t > 0.35 && t < 0.4 ? 0 : 1;
+    bytes.writeInt16LE(Math.round(20000 * loud * (0.7 * chirp + 0.3 * noise)), 44 + 4 * i);
+    bytes.writeInt16LE(Math.round(20000 * loud * 0.5 * noise), 46 + 4 * i);
+  }
+  return bytes;
+}
+
+// [spectrum, wave] of each frame, of the file played in a loop.
+async function analysedInBrowser(wav) {
+  const page = await openPage(browser, { width: 64, height: 64 });
+  const result = await page.evaluate(
+    async ({ base64, rate, step, frames }) => {
+      const context = new OfflineAudioContext(2, step * (frames + 1), rate);
+      const source = context.createBufferSource();
+      source.buffer = await context.decodeAudioData(Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)).buffer);
+      source.loop = true;
+      const analyser = context.createAnalyser();
+      source.connect(analyser);
+      analyser.connect(context.destination);
+      source.start();
+      const heard = [];
+      for (let i = 0; i < frames; ++i)
+        context.suspend((i * step) / rate).then(() => {
+          const spectrum = new Uint8Array(512);
+          const wave = new Uint8Array(512);
+          analyser.getByteFrequencyData(spectrum);
+          analyser.getByteTimeDomainData(wave);
+          heard.push([[...spectrum], [...wave]]);
+          context.resume();
+        });
+      await context.startRendering();
+      return heard;
+    },
+    { base64: wav.toString('base64'), rate, step, frames },
+  );
+  await page.context().close();
+  return result;
+}
+
+function analysedHere(wav) {
+  writeFileSync(path.join(folder, 'music.wav'), wav);
+  writeFileSync(
+    path.join(folder, 'toy.json'),
+    JSON.stringify({
+      Shader: {
+        renderpass: [
+          {
+            name: 'Image',
+            type: 'image',
+            inputs: [{ id: 1, channel: 0, ctype: 'music', src: '/media/a/music.wav' }],
+            outputs: [{ id: 37, channel: 0 }],
+            code: 'void mainImage(out vec4 c, vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0); }',
+          },
+        ],
+      },
+    }),
+  );
+  execFileSync(shadertwin, [
+    'render', path.join(folder, 'toy.json'), '--quiet', '--size', '512x2', '--frames', String(frames),
+    '--fps', String(rate / step), '-o', path.join(folder, 'frame_%02d.exr'),
+  ]);
+  return [...Array(frames).keys()].map((i) => {
+    const { rgba } = readExr(path.join(folder, `frame_${String(i).padStart(2, '0')}.exr`));
+    const row = (y) => [...Array(512).keys()].map((x) => Math.round(255 * rgba[4 * (512 * y + x)]));
+    return [row(0), row(1)];
+  });
+}
+
+test("music is what the browser's analyser hears, also when it starts again", async () => {
+  const wav = makeWav(step * 25 + 301); // it starts again between two frames
+  const there = await analysedInBrowser(wav);
+  const here = analysedHere(wav);
+  assert.equal(there.length, frames);
+  assert.ok(there[20][0].some((level) => level > 150), 'there is something to hear');
+  let differing = 0;
+  for (let i = 0; i < frames; ++i) {
+    assert.deepEqual(here[i][1], there[i][1], `wave of frame ${i}`);
+    for (let bin = 0; bin < 512; ++bin) {
+      const distance = Math.abs(here[i][0][bin] - there[i][0][bin]);
+      assert.ok(distance <= 1, `frame ${i}, bin ${bin}: ${here[i][0][bin]} instead of ${there[i][0][bin]}`);
+      differing += distance;
+    }
+  }
+  // The browser's FFT has floats: a level may fall on the other side of a whole number.
+  assert.ok(differing <= 0.002 * 512 * frames, `${differing} of ${512 * frames} levels differ by one`);
+});
