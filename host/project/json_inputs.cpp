@@ -129,11 +129,12 @@ JsonPass identify(const Json& pass, PassKind kind, const std::string& document) 
   return result;
 }
 
-JsonInputs::JsonInputs(fs::path media, std::string document, std::vector<JsonPass> passes,
+JsonInputs::JsonInputs(fs::path media, std::string document, std::vector<JsonPass> passes, bool muted,
                        std::vector<std::string>& warnings)
     : media_(std::move(media)),
       document_(std::move(document)),
       passes_(std::move(passes)),
+      muted_(muted),
       warnings_(warnings) {}
 
 void JsonInputs::fail(const std::string& message) const {
@@ -245,10 +246,11 @@ void JsonInputs::find_media(const std::string& source, InputKind kind, Input& in
     }
     if (problem.empty()) return;
   }
-  warn(complaint,
-       complaint + ": " +
-           (kind == InputKind::music ? "the channel is silent (--mute gives shadertoy.com's preview)"
-                                     : "the channel stays empty"));
+  if (kind != InputKind::music || !muted_)
+    warn(complaint,
+         complaint + ": " +
+             (kind == InputKind::music ? "the channel is silent (--mute gives shadertoy.com's preview)"
+                                       : "the channel stays empty"));
   input = {};
 }
 

@@ -23,9 +23,9 @@ JsonPass identify(const Json& pass, PassKind kind, const std::string& document);
 
 class JsonInputs {
  public:
-  // `passes` in the order of Project::passes. Warnings are added to `warnings`, one for each thing that is
-  // missing.
-  JsonInputs(std::filesystem::path media, std::string document, std::vector<JsonPass> passes,
+  // `passes` in the order of Project::passes. `muted`: nobody hears the music, so none is missing. Warnings
+  // are added to `warnings`, one for each thing that is missing.
+  JsonInputs(std::filesystem::path media, std::string document, std::vector<JsonPass> passes, bool muted,
              std::vector<std::string>& warnings);
 
   // Fills pass.inputs. Throws Error(file) for what has the wrong type.
@@ -42,6 +42,7 @@ class JsonInputs {
   std::filesystem::path media_;
   std::string document_;
   std::vector<JsonPass> passes_;
+  bool muted_;
   std::vector<std::string>& warnings_;
   std::set<std::string> warned_;
 };

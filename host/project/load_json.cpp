@@ -161,7 +161,7 @@ class JsonLoader {
   void bind_inputs() {
     std::vector<JsonPass> ids;
     for (const Parsed& parsed : parsed_) ids.push_back(parsed.ids);
-    JsonInputs inputs(media_, name_, ids, project_.warnings);
+    JsonInputs inputs(media_, name_, ids, options_.muted, project_.warnings);
     for (Parsed& parsed : parsed_) inputs.bind(*parsed.json, parsed.pass);
     for (Parsed& parsed : parsed_) project_.passes.push_back(parsed.pass);
   }

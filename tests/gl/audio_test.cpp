@@ -1,5 +1,8 @@
 // Music and the microphone as textures on the GPU.
+#include <cmath>
+
 #include "tests/gl/play.h"
+#include "tests/media/wav_file.h"
 
 namespace shadertwin {
 namespace {
@@ -36,6 +39,30 @@ TEST_P(Audio, MutedMusicIsTheSitesPreview) {
               1.0 / 255);
   EXPECT_NEAR(pixel(images[1], 0, 1).x, 0.5 + 0.15 * std::sin(17.0) * std::sin(23.0), 1.0 / 255);
   EXPECT_EQ(pixel(images[1], 0, 0).z, 11.0F);
+}
+
+// The extension's analyser: a window of 512, in grey, with the 256 levels twice each.
+TEST_P(Audio, TheExtensionsTextureIsGreyAndOfASmallerWindow) {
+  std::vector<float> wave(44100, 0.5F);
+  for (std::size_t i = 0; i < 22050; ++i)
+    wave[i] = 0.25F * std::sin(static_cast<float>(M_PI / 8 * double(i)));
+  folder.write("tone.wav", wav_file(wave));
+  const auto shader = folder.write("main.glsl", R"(
+#iChannel0 "tone.wav"
+void mainImage(out vec4 c, in vec2 p) {
+  c = texelFetch(iChannel0, ivec2(p), 0);
+  c.a = iSampleRate + iChannelResolution[0].x;
+})");
+  Schedule schedule = small(512, 2);
+  schedule.t0 = 22050.0 / 44100.0;
+  schedule.fps = 44100.0 / 512.0;
+  const std::vector<Image> images = frames(load_project(shader), 2, schedule);
+  // A sixteenth of the rate is the 32nd of 512 bins: columns 64 and 65.
+  EXPECT_GT(pixel(images[0], 64, 0).x, 0.8F);
+  EXPECT_EQ(pixel(images[0], 65, 0), pixel(images[0], 64, 0));
+  EXPECT_EQ(pixel(images[0], 200, 0).x, 0.0F);
+  const glm::vec4 half(glm::vec3(192.0F / 255), 44100);
+  for (const int x : {0, 511}) EXPECT_LT(glm::distance(pixel(images[1], x, 1), half), 1e-6F) << x;
 }
 
 SHADERTWIN_ON_EVERY_DEVICE(Audio);
