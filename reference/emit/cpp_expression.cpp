@@ -24,6 +24,17 @@ int constant_index(const TIntermTyped& node) {
   return value.getType() == EbtUint ? static_cast<int>(value.getUConst()) : value.getIConst();
 }
 
+// A variable, or a part of it that is known before the shader runs. Browsers and Mesa read it only when the
+// operation that it is an operand of is done: `vec2(x, x += 1.0)` has twice the same.
+bool is_place(const TIntermTyped& node) {
+  if (node.getAsSymbolNode() != nullptr) return true;
+  const TIntermBinary* part = node.getAsBinaryNode();
+  if (part == nullptr) return false;
+  const TOperator op = part->getOp();
+  return (op == EOpIndexDirect || op == EOpIndexDirectStruct || op == EOpVectorSwizzle) &&
+         is_place(*part->getLeft());
+}
+
 // A divisor that C++ can divide by as it is: neither 0 nor -1.
 bool is_safe_divisor(const TIntermTyped& node) {
   const TIntermConstantUnion* constant = node.getAsConstantUnion();
@@ -122,8 +133,12 @@ std::vector<CppExpressions::Text> CppExpressions::in_order(const std::vector<con
   for (std::size_t i = 0; i < operands.size(); ++i) {
     Text text = expression(*operands[i]);
     bool order_shows = false;
-    for (std::size_t j = i + 1; j < operands.size(); ++j)
-      order_shows |= effects[i]->conflicts_with(*effects[j]);
+    for (std::size_t j = 0; j < operands.size(); ++j) {
+      // A place is read when all operands are there, so what writes it has to come first.
+      const bool reads_before = j > i && !is_place(*operands[i]);
+      const bool writes_before = j < i && is_place(*operands[j]);
+      order_shows |= (reads_before || writes_before) && effects[i]->conflicts_with(*effects[j]);
+    }
     if (order_shows) text = temporary(*operands[i], text.text);
     texts.push_back(text);
   }

@@ -5,6 +5,15 @@ float f() { return float(rnd() & 255u); }
 float g(float a, float b, float c) { return a - b * 2.0 + c * 4.0; }
 struct Pair { float a, b; };
 float pick(int i) { return i > 1 ? f() : 1.0; }
+// A variable is read when the operation is done, not where it stands.
+vec4 late(vec2 q) {
+  float x = q.x, y = q.x, z = q.y;
+  vec2 p = q, r = q;
+  vec4 sum = vec4(p, p += 1.0) + vec4(x, x++, max(y, y -= 1.0), dot(r, r += 1.0));
+  sum.x += p.x - length(p -= 0.3);
+  r = r + (r *= 2.0);
+  return sum + vec4(r, z, z = 9.0);
+}
 void mainImage(out vec4 color, in vec2 p) {
   state = uint(p.x) + 256u * uint(p.y);
   vec3 v = vec3(f(), f(), f());
@@ -22,4 +31,5 @@ void mainImage(out vec4 color, in vec2 p) {
   float y = (x += 1.0, x * 3.0);
   color = vec4(v.x + 256.0 * v.y, v.z + 0.5 * a, b + q.a - q.b * 0.5, list[0] - list[1] + c);
   if (mod(p.x, 2.0) > 1.0) color = vec4(d, e, y, f());
+  if (p.y > 8.0) color = late(p);
 }
