@@ -28,8 +28,8 @@ void render_sound(const PlayOptions& options, double seconds, const std::string&
   const auto count = static_cast<std::int64_t>(std::llround(seconds * sound_rate));
   const auto first = static_cast<std::int64_t>(std::llround(schedule.t0 * sound_rate));
   const Project project = sound_only(load(options));
+  media::AudioWriter writer(output, sound_rate);  // an output that can't be written fails before the work
   const auto player = open_player(options.on, project, options);
-  media::AudioWriter writer(output, sound_rate);
   Sound sound(*player, shader_date(schedule.date, 0.0), first);
 
   const auto start = std::chrono::steady_clock::now();

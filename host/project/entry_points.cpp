@@ -30,6 +30,8 @@ bool names_itself(const std::vector<Token>& tokens, std::size_t i) {
 
 EntryPoints find_entry_points(const std::vector<Token>& tokens) {
   EntryPoints found;
+  bool of_sample = false;
+  bool of_time = false;
   int depth = 0;  // of braces and parentheses
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     const Token& token = tokens[i];
@@ -51,9 +53,11 @@ EntryPoints find_entry_points(const std::vector<Token>& tokens) {
     if (token.is("mainVR")) found.vr = true;
     if (token.is("mainSound")) {
       found.sound = true;
-      if (i >= 1 && tokens[i - 1].is("vec2") && !has_two_parameters(tokens, i)) found.sound_of_time = true;
+      // The site calls the new form, also where the old one stands beside it.
+      if (i >= 1 && tokens[i - 1].is("vec2")) (has_two_parameters(tokens, i) ? of_sample : of_time) = true;
     }
   }
+  found.sound_of_time = of_time && !of_sample;
   return found;
 }
 

@@ -13,7 +13,7 @@ struct EntryPoints {
   bool image = false;           // mainImage, or a macro that makes one
   bool cubemap = false;         // mainCubemap
   bool sound = false;           // mainSound
-  bool sound_of_time = false;   // the old mainSound(float time)
+  bool sound_of_time = false;   // the old mainSound(float time), and it alone
   bool vr = false;              // mainVR
   bool output = false;          // a global `out` variable of the user's
   bool image_is_macro = false;  // #define mainImage as something else

@@ -38,6 +38,13 @@ TEST_P(SoundPass, TheOldFormTakesTheTimeAlone) {
   EXPECT_NEAR(samples("vec2 mainSound(float time) { return vec2(time); }", 22050, 1)[1], 0.5, 1e-6);
 }
 
+TEST_P(SoundPass, TheNewFormIsCalledWhereBothAreThere) {
+  EXPECT_NEAR(samples("vec2 mainSound(float time) { return vec2(time); }\n"
+                      "vec2 mainSound(in int samp, float time) { return .5 * mainSound(time); }",
+                      22050, 1)[1],
+              0.25, 1e-6);
+}
+
 TEST_P(SoundPass, HasTheDateInWholeSecondsAndTheRate) {
   const auto stereo = samples(
       "vec2 mainSound(int samp, float time) { return vec2(iDate.w / 100., iSampleRate / 1e5); }", 0, 1);
