@@ -9,6 +9,7 @@
 
 #include "host/base/error.h"
 #include "host/image/damage.h"
+#include "host/image/float_dds.h"
 #include "host/image/formats.h"
 #include "host/image/image.h"
 #include "host/image/usual_files.h"
@@ -55,6 +56,7 @@ std::string size_text(const Texture& picture) {
 Texture read_texture(const fs::path& file, bool flip) {
   check_file(file);
   std::optional<Texture> usual = read_usual(file);
+  if (!usual) usual = read_float_dds(file);
   Texture picture = usual ? *std::move(usual) : formats().read(file);
   if (flip) flip_rows(picture);
   return picture;
