@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "host/app/command.h"
-#include "host/app/interruption.h"
 #include "host/app/options.h"
 #include "host/app/output.h"
 #include "host/app/players.h"
@@ -93,8 +92,6 @@ void render(const RenderOptions& options) {
   const Schedule schedule = make_schedule(options);
   const Project project = load(options);
   const int shown = chosen_pass(project, options);
-  std::optional<Interruption> interruption;  // before the output, which it waits for
-  if (media::is_video(options.output.name)) interruption.emplace();
   OutputOptions output_options = options.output;
   output_options.sound = has_sound(project);
   const auto output = open_output(output_options, picture_size(project, shown, schedule), schedule.fps);
@@ -108,7 +105,6 @@ void render(const RenderOptions& options) {
   {
     Progress progress("rendering", options.frames, options.quiet);
     for (int i = 0; i < options.frames; ++i) {
-      if (interruption && interruption->requested()) return;
       player->render(clock.next());
       if (output->wants_every_frame())
         output->add(player->read(shown));
