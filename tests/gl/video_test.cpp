@@ -68,6 +68,17 @@ TEST_P(Video, IsBlackWithOneWarningWhereTheFileIsMissing) {
   EXPECT_EQ(pixel(image, 1, 0), glm::vec4(0, 0, 0, 1));
 }
 
+TEST_P(Video, WithoutACameraTheWebcamIsBlackWithOneWarning) {
+  if (std::filesystem::exists("/dev/video0")) GTEST_SKIP() << "there is a camera";
+  const Project project = video_shader(folder, "webcam", "", "true");
+  EXPECT_TRUE(project.warnings.empty());
+  const auto player = play(project);
+  ASSERT_EQ(player->warnings().size(), 1U);
+  FixedClock clock(small(2, 2), project.dialect);
+  player->render(clock.next());
+  EXPECT_EQ(pixel(player->read(0), 0, 0), glm::vec4(0, 0, 0, 1));
+}
+
 SHADERTWIN_ON_EVERY_DEVICE(Video);
 
 }  // namespace
