@@ -55,7 +55,7 @@ class Describer {
   Json describe(const Pass& pass) {
     Json inputs = Json::array();
     for (std::size_t i = 0; i < pass.inputs.size(); ++i)
-      if (pass.inputs[i].kind != InputKind::none)
+      if (pass.inputs[i].wanted() == InputKind::pass || pass.inputs[i].kind != InputKind::none)
         inputs.push_back(describe(pass.inputs[i], static_cast<int>(i)));
     return {{"name", pass.name},         {"kind", name_of(pass_kind_names, pass.kind)},
             {"keyboard", pass.keyboard}, {"vertex", pass.vertex ? describe(*pass.vertex) : Json()},
@@ -106,6 +106,7 @@ class Describer {
     return {{"channel", channel},
             {"kind", name_of(kind_names, input.kind)},
             {"pass", input.pass},
+            {"blank", input.missing == InputKind::pass},
             {"media", media},
             {"size", {size.x, size.y, size.z}},
             {"min", name_of(min_names, sampler.min)},

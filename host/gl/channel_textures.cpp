@@ -29,6 +29,7 @@ ChannelTexture ChannelTextures::load(const Input& input) {
       break;
   }
   MovingInput* moving = moving_.open(input);
+  if (moving == nullptr && input.missing == InputKind::pass) return {missing_pass()};
   if (moving == nullptr) return {unbound(target_of_empty(input))};
   Moving& texture = moving_textures_[moving];
   const bool mipmaps = texture.mipmaps || uses_mipmaps(input.sampler.min);
@@ -77,6 +78,11 @@ BoundTexture ChannelTextures::unbound(GLenum target) {
   TextureObject& object = unbound_[target];
   if (object.name() == 0) object = make_unbound(gl_, target);
   return {target, object.name()};
+}
+
+BoundTexture ChannelTextures::missing_pass() {
+  if (missing_pass_.name() == 0) missing_pass_ = make_unbound(gl_, GL_TEXTURE_2D, 0);
+  return {GL_TEXTURE_2D, missing_pass_.name()};
 }
 
 // The site's texture has one channel (g = b = 0), the extension's is grey; alpha is 1 in both.

@@ -42,6 +42,8 @@ class ChannelTextures {
 
   Picture& picture(const Input& input);
   BoundTexture unbound(GLenum target);
+  // A buffer that is not there reads as one that was never drawn: zero, alpha too.
+  BoundTexture missing_pass();
   void upload_keyboard(const Frame& frame);
   void upload_again(const Moving& moving, const Texture& texture);
 
@@ -52,6 +54,7 @@ class ChannelTextures {
   MovingInputs moving_;
   std::map<const MovingInput*, Moving> moving_textures_;
   TextureObject keyboard_;
+  TextureObject missing_pass_;
 };
 
 }  // namespace shadertwin::gl

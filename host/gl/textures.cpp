@@ -63,12 +63,13 @@ TextureObject make_target(const Functions& gl, GLenum target, glm::ivec2 size, b
   return object;
 }
 
-TextureObject make_unbound(const Functions& gl, GLenum target) {
+TextureObject make_unbound(const Functions& gl, GLenum target, std::uint8_t alpha) {
   Texture black;
   black.width = black.height = 1;
   black.faces = target == GL_TEXTURE_CUBE_MAP ? 6 : 1;
   for (int face = 0; face < black.faces; ++face)
-    for (const int value : {0, 0, 0, 255}) black.data.push_back(static_cast<std::byte>(value));
+    for (const std::uint8_t value : {std::uint8_t{0}, std::uint8_t{0}, std::uint8_t{0}, alpha})
+      black.data.push_back(static_cast<std::byte>(value));
   if (target != GL_TEXTURE_3D) return upload(gl, black, false);
   TextureObject object(gl);
   gl.BindTexture(target, object.name());

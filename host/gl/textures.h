@@ -23,8 +23,8 @@ GLenum texture_target(const Texture& texture);
 // a cubemap, or width x height in RGBA32F.
 TextureObject make_target(const Functions& gl, GLenum target, glm::ivec2 size, bool mipmaps);
 
-// What an unbound channel reads: one texel (0, 0, 0, 1), as WebGL gives for an incomplete texture.
-TextureObject make_unbound(const Functions& gl, GLenum target);
+// What an unbound channel reads: one texel (0, 0, 0, alpha). WebGL gives an incomplete texture the alpha 1.
+TextureObject make_unbound(const Functions& gl, GLenum target, std::uint8_t alpha = 255);
 
 SamplerObject make_sampler(const Functions& gl, const Sampler& sampler);
 

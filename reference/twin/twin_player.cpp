@@ -205,6 +205,8 @@ class TwinPlayerImpl final : public TwinPlayer {
       } else if (input.kind == InputKind::keyboard) {
         state.channels.bind_keyboard(i, keyboard_.picture());
         state.sizes[i] = channel_size(project_, input, nullptr, {0, 0});
+      } else if (input.missing == InputKind::pass) {
+        state.channels.bind(i, missing_pass_, input.sampler);
       } else if (input.kind != InputKind::pass) {
         state.moving[i] = moving_.load(input);
         if (state.moving[i] != nullptr)
@@ -373,6 +375,8 @@ class TwinPlayerImpl final : public TwinPlayer {
   PictureLibrary pictures_;
   MovingPictures moving_{project_};
   Keyboard keyboard_{project_.dialect};
+  // What a buffer that is not there reads as: one that was never drawn.
+  const Picture missing_pass_{Texture{.width = 1, .height = 1, .data = std::vector<std::byte>(4)}, false};
   std::vector<PassState> passes_;
   oneapi::tbb::enumerable_thread_specific<QuadRunner> quad_runners_;
   int width_ = 0;

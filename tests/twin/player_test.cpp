@@ -57,6 +57,16 @@ class Player : public testing::Test {
 
 constexpr const char* position = "void mainImage(out vec4 c, in vec2 p) { c = vec4(p, 0.1 * p.x, 1.0); }\n";
 
+TEST_F(Player, ReadsZeroFromABufferThatIsNotThere) {
+  Project shader = project(
+      "void mainImage(out vec4 c, in vec2 p) { c = vec4(texture(iChannel0, p).a, texture(iChannel1, p).a, 0, "
+      "1); }");
+  shader.passes[0].inputs[0].missing = InputKind::pass;
+  const Image image = played(shader);
+  EXPECT_EQ(image.at(0, 0)[0], 0.0F);
+  EXPECT_EQ(image.at(0, 0)[1], 1.0F);
+}
+
 TEST_F(Player, DrawsOnlyTheRegion) {
   twin::TwinOptions options;
   options.region = twin::Rectangle{2, 1, 3, 2};

@@ -121,6 +121,8 @@ class Renderer {
       input.source = await startSound(gl, input, project.media, this.sounds, !project.site);
     else if (input.kind === 'video' || input.kind === 'webcam') input.source = await startVideo(gl, input, project.media);
     else if (input.media.length > 0) input.source = await uploadPicture(gl, input, project.media);
+    // A buffer that is not there reads as one that was never drawn.
+    else if (input.blank) input.source = { ...makeTable(gl, 1, 1), update: undefined };
     if (input.source?.update) this.media.push(input.source);
     if (input.kind === 'keyboard') input.source = this.keyboard;
   }
