@@ -51,6 +51,7 @@ InputFormat open_input(const fs::path& file) {
   InputFormat input(context);
   if (opened == AVERROR_INVALIDDATA || opened == AVERROR(EINVAL))
     fail(file, "is neither sound nor a moving picture that can be read");
+  if (opened == AVERROR_EOF) fail(file, "it breaks off before anything can be played");
   check(opened, file);
   if (avformat_find_stream_info(input.get(), nullptr) < 0 || input->nb_streams == 0)
     fail(file, "has nothing in it that can be played");

@@ -96,6 +96,23 @@ TEST_F(SoundCommand, MusicIsTheSameOnTheTwin) {
   EXPECT_EQ(image.at(300, 0)[0], 0.0F);
 }
 
+TEST_F(SoundCommand, VolumesAreTheSameOnTheTwin) {
+  std::string texels;
+  for (unsigned i = 0; i < 512; ++i) texels += static_cast<char>(i * 2654435761U >> 24);
+  folder.write("toy/noise.bin", volume_file({8, 8, 8}, 1, 0, texels));
+  folder.write("toy/shadertoy.json",
+               R"({"Image": {"iChannel0": {"volume": "noise.bin", "filter": "mipmap"}}})");
+  folder.write("toy/image.glsl",
+               "void mainImage(out vec4 c, vec2 p) {\n"
+               "  vec3 q = vec3(p / 20., .3 + p.x * .01);\n"
+               "  c = texture(iChannel0, 2. * q) + textureLod(iChannel0, q, 1.3) + texelFetch(iChannel0, "
+               "ivec3(p, 5), 0);\n}");
+  for (const char* on : {"egl", "cpu"})
+    ASSERT_EQ(run(folder, std::string("render toy --size 8x8 --on ") + on + " -o " + on + ".exr").err, "");
+  EXPECT_EQ(read_image(folder / "cpu.exr").rgba, read_image(folder / "egl.exr").rgba);
+  EXPECT_GT(read_image(folder / "egl.exr").at(3, 3)[0], 0.0F);
+}
+
 TEST_F(SoundCommand, MissingMusicIsOneWarningAndNoneWhenMuted) {
   write_json("music", "none.mp3");
   const Outcome silent = run(folder, "render toy.json --size 8x2 -o a.exr");

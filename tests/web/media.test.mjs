@@ -1,14 +1,14 @@
-// Music as the browser's own AnalyserNode hears it, frame by frame, against the texture that shadertwin makes.
+// Music as the browser's own AnalyserNode hears it, volumes as its WebGL2 samples them, against what shadertwin makes.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 
 import { openBrowser, openPage } from './browser.mjs';
 import { readExr } from './exr.mjs';
-import { shadertwin } from './player.mjs';
+import { openPlayer, playFrames, readPass, renderPass, shadertwin } from './player.mjs';
 
 const rate = 44100;
 const step = 6 * 128; // samples a frame: whole quanta, in which Web Audio works
@@ -130,4 +130,58 @@ test("music is what the browser's analyser hears, also when it starts again", as
   }
   // The browser's FFT has floats: a level may fall on the other side of a whole number.
   assert.ok(differing <= 0.002 * 512 * frames, `${differing} of ${512 * frames} levels differ by one`);
+});
+
+// The .bin that shadertoy.com serves.
+function makeVolume(size, channels) {
+  const bytes = Buffer.alloc(20 + size ** 3 * channels);
+  bytes.write('BIN\0', 0);
+  for (let axis = 0; axis < 3; ++axis) bytes.writeUInt32LE(size, 4 + 4 * axis);
+  bytes.writeUInt8(channels, 16);
+  for (let i = 20; i < bytes.length; ++i) bytes[i] = Math.imul(i, 2654435761) >>> 24;
+  return bytes;
+}
+
+test('a volume is sampled as in WebGL2, with every filter and wrap', async () => {
+  const toy = path.join(folder, 'volumes');
+  mkdirSync(toy);
+  writeFileSync(path.join(toy, 'grey.bin'), makeVolume(8, 1));
+  writeFileSync(path.join(toy, 'colour.bin'), makeVolume(4, 4));
+  writeFileSync(
+    path.join(toy, 'shadertoy.json'),
+    JSON.stringify({
+      'Buffer A': {
+        iChannel0: { volume: 'grey.bin', filter: 'mipmap', wrap: 'repeat' },
+        iChannel1: { volume: 'colour.bin', filter: 'linear', wrap: 'clamp' },
+        iChannel2: { volume: 'colour.bin', filter: 'nearest', wrap: 'repeat' },
+      },
+      Image: { iChannel0: { buffer: 'Buffer A' } },
+    }),
+  );
+  writeFileSync(path.join(toy, 'image.glsl'), 'void mainImage(out vec4 c, vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0); }');
+  writeFileSync(
+    path.join(toy, 'buffer_a.glsl'),
+    `void mainImage(out vec4 c, vec2 p) {
+      vec3 q = vec3(p / 5. - .7, .3 + p.x * .01);
+      if (p.y < 4.) c = textureLod(iChannel0, q, floor(p.x / 4.));
+      else if (p.y < 8.) c = textureLod(iChannel1, q, 0.);
+      else if (p.y < 12.) c = textureLod(iChannel2, q, 0.);
+      else c = vec4(iChannelResolution[0], texelFetch(iChannel0, ivec3(p.x, p.y - 12., 3), 0).g);
+    }`,
+  );
+  const page = path.join(folder, 'volumes.html');
+  execFileSync(shadertwin, ['export', toy, '--quiet', '--to', 'html', '-o', page]);
+  const script = { size: [16, 16], frames: 1 };
+  const player = await openPlayer(browser, page, script.size);
+  assert.deepEqual(player.messages, []);
+  await playFrames(player, script);
+  const there = await readPass(player, 'Buffer A');
+  await player.context().close();
+  const here = renderPass(toy, 'Buffer A', script, path.join(folder, 'volumes.exr'));
+  assert.equal(here.rgba[4 * (16 * 12)], 8);
+  for (let i = 0; i < there.rgba.length; ++i) {
+    // Renderers weigh neighbours in 8 bits at the least.
+    const distance = Math.abs(there.rgba[i] - here.rgba[i]);
+    assert.ok(distance <= 3 / 255, `value ${i}: ${here.rgba[i]} instead of ${there.rgba[i]}`);
+  }
 });
