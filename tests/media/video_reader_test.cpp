@@ -1,6 +1,7 @@
 #include "host/media/video_reader.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
@@ -205,6 +206,8 @@ TEST(VideoReader, RefusesWhatIsNoVideoInOneLine) {
   EXPECT_NE(refusal("empty.mp4").find("empty"), std::string::npos);
   folder.write("text.mp4", "this is no video at all");
   EXPECT_NE(refusal("text.mp4").find("text.mp4"), std::string::npos);
+  ASSERT_EQ(mkfifo((folder / "pipe.mp4").c_str(), 0600), 0);
+  EXPECT_NE(refusal("pipe.mp4").find("plain file"), std::string::npos);
   folder.write("list.mp4", "#EXTM3U\n#EXT-X-TARGETDURATION:10\n#EXTINF:9,\n/etc/passwd\n");
   EXPECT_NE(refusal("list.mp4").find("list.mp4"), std::string::npos);
   write_video(folder / "whole.mp4", 5, {.width = 32, .height = 32});
