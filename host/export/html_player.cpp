@@ -45,6 +45,7 @@ class Describer {
     Json uniforms = Json::array();
     for (const CustomUniform& uniform : project_.uniforms) uniforms.push_back(describe(uniform));
     return {{"site", project_.dialect == Dialect::shadertoy},
+            {"flies", project_.first_person_controls},
             {"files", project_.files},
             {"passes", passes},
             {"uniforms", uniforms},

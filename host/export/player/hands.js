@@ -4,7 +4,8 @@ class Hands {
   constructor(canvas, project) {
     this.canvas = canvas;
     this.site = project.site;
-    this.usesKeys = project.passes.some((pass) => pass.keyboard || pass.inputs.some((i) => i.kind === 'keyboard'));
+    this.flies = project.flies;
+    this.usesKeys = this.flies || project.passes.some((pass) => pass.keyboard || pass.inputs.some((i) => i.kind === 'keyboard'));
     this.keys = new Uint8Array(4 * 256); // rows: held, pressed, toggled, released
     this.forget();
     canvas.addEventListener('pointerdown', (event) => this.press(event));
@@ -20,6 +21,8 @@ class Hands {
     this.position = [0, 0];
     this.pressedAt = [0, 0];
     this.down = this.pressed = false;
+    this.look = [0, 0];
+    this.camera = new FlyCamera();
     this.buttons = 0;
     this.keys.fill(0);
   }
@@ -38,16 +41,21 @@ class Hands {
     this.canvas.setPointerCapture(event.pointerId);
     this.position = this.pressedAt = this.place(event);
     this.down = this.pressed = true;
+    this.look = [0, 0];
     this.buttons = event.buttons;
   }
 
   move(event) {
-    if (this.down && event.isPrimary) this.position = this.place(event);
+    if (!this.down || !event.isPrimary) return;
+    this.position = this.place(event);
+    const box = this.canvas.getBoundingClientRect();
+    this.look = [(2 * (event.clientX - box.left)) / box.width - 1, 1 - (2 * (event.clientY - box.top)) / box.height];
   }
 
   release(event) {
     if (!event.isPrimary) return;
     this.down = false;
+    this.look = [0, 0];
     this.buttons = 0;
   }
 
@@ -71,15 +79,21 @@ class Hands {
 
   letGo() {
     this.down = false;
+    this.look = [0, 0];
     this.buttons = 0;
     for (let code = 0; code < 256; ++code) this.keyUp(code);
+  }
+
+  // Before every frame but those that are only drawn again.
+  fly() {
+    if (this.flies) this.camera.step(this.keys, this.look);
   }
 
   // What the next frame sees. z is positive while the mouse is down, w only in the first frame of a press.
   frame() {
     const [x, y] = this.pressedAt;
     const mouse = [...this.position, this.down ? x : -x, this.pressed ? y : -y];
-    return { mouse, buttons: [this.buttons & 1, (this.buttons >> 1) & 1, 0, 0], keys: this.keys };
+    return { mouse, buttons: [this.buttons & 1, (this.buttons >> 1) & 1, 0, 0], keys: this.keys, view: this.camera.matrix() };
   }
 
   endFrame() {

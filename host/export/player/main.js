@@ -122,6 +122,7 @@ class Player {
   loop(now) {
     requestAnimationFrame((next) => this.loop(next));
     if (this.paused) return;
+    this.hands.fly();
     this.draw(this.clock.tick(now), localDate());
     find('rate').textContent = `${this.clock.rate.toFixed(this.clock.rate < 9.95 ? 1 : 0)} fps`;
   }
@@ -136,6 +137,7 @@ class Player {
 
   reset() {
     this.clock.reset();
+    this.hands.camera = new FlyCamera();
     for (const { element } of this.renderer.media) if (element) element.currentTime = 0;
     if (!this.paused) this.track?.play(this.clock.time);
   }
@@ -186,7 +188,10 @@ window.shadertwin = {
     player.hands.forget();
   },
   // Draws the next frame. `now`: milliseconds of the caller's own clock. To be used while paused.
-  step: (now, date = localDate()) => player.draw(player.clock.tick(now), date),
+  step: (now, date = localDate()) => {
+    player.hands.fly();
+    player.draw(player.clock.tick(now), date);
+  },
   // A pass by its name: { width, height, rgba }, the bottom row first.
   read: (name) => player.renderer.read(project.passes.find((pass) => pass.name === name)),
   passes: project.passes.map((pass) => pass.name),

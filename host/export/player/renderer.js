@@ -30,8 +30,6 @@ const customSetters = {
   ivec4: ['uniform4iv', 4],
 };
 
-const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-
 class Renderer {
   constructor(canvas, project) {
     const gl = canvas.getContext('webgl2', {
@@ -86,7 +84,7 @@ class Renderer {
       if (channel) gl.uniform1i(location, Number(channel[1] ?? channel[2]));
       else if (member) pass.uniforms.push({ location, channel: Number(member[1]), member: member[2] });
       else if (name === 'iKeyboard') gl.uniform1i(location, keyboardUnit);
-      else if (name === 'iViewMatrix') gl.uniformMatrix4fv(location, false, identity);
+      else if (name === 'iViewMatrix') pass.uniforms.push({ location, name, matrix: true });
       else if (name === 'shadertwin_face') pass.face = location;
       else if (custom) pass.uniforms.push({ location, custom, setter: customSetters[custom.type] });
       else if (uniformSetters[name]) pass.uniforms.push({ location, name, setter: uniformSetters[name] });
@@ -220,8 +218,9 @@ class Renderer {
       iChannelTime: times,
     };
     const sizes = values.iChannelResolution;
-    for (const { location, name, custom, setter, channel, member } of pass.uniforms)
-      if (member === 'size') gl.uniform3fv(location, sizes.subarray(3 * channel, 3 * channel + 3));
+    for (const { location, name, custom, setter, channel, member, matrix } of pass.uniforms)
+      if (matrix) gl.uniformMatrix4fv(location, false, all[name]);
+      else if (member === 'size') gl.uniform3fv(location, sizes.subarray(3 * channel, 3 * channel + 3));
       else if (member === 'time') gl.uniform1f(location, times[channel]);
       else if (member === 'loaded') gl.uniform1i(location, pass.inputs.some((i) => i.channel === channel) ? 1 : 0);
       else if (custom) gl[setter[0]](location, custom.value.slice(0, setter[1]));
@@ -242,6 +241,7 @@ class Renderer {
       iDate: frame.date,
       iMouse: frame.mouse,
       iMouseButton: frame.buttons,
+      iViewMatrix: frame.view,
       iChannelResolution: this.bindInputs(pass),
     });
     gl.viewport(0, 0, ...size);
