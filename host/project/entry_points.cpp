@@ -46,8 +46,8 @@ EntryPoints find_entry_points(const std::vector<Token>& tokens) {
       found.image = true;
       if (i + 2 < tokens.size() && tokens[i + 1].is("(") && tokens[i + 2].is("inout"))
         found.image_is_inout = true;
-      if (i >= 2 && tokens[i - 1].is("define") && tokens[i - 2].is("#") && !names_itself(tokens, i))
-        found.image_is_macro = true;
+      if (i >= 2 && tokens[i - 1].is("define") && tokens[i - 2].is("#"))
+        (names_itself(tokens, i) ? found.image_names_itself : found.image_is_macro) = true;
     }
     if (token.is("mainCubemap")) found.cubemap = true;
     if (token.is("mainVR")) found.vr = true;

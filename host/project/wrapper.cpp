@@ -243,9 +243,10 @@ void wrap_pass(const Project& project, Pass& pass, const WrapOptions& options) {
   if (asserts) head.text(assert_text());
   if (!main && shadertoy) head.line("#define gl_FragColor shadertoy_out_color");
 
-  // On shadertoy.com main() comes first; a macro called mainImage only works for a main() behind it.
+  // On shadertoy.com main() comes first; a macro called mainImage only works for a main() behind it, unless
+  // it makes the function's own head.
   pass.source.tail.clear();
-  if (main && shadertoy && !entry.image_is_macro)
+  if (main && (shadertoy || entry.image_names_itself) && !entry.image_is_macro)
     head.text(main->prototype + main->main);
   else if (main && pass.kind != PassKind::image && pass.kind != PassKind::buffer)
     pass.source.tail = main->prototype + main->main;
