@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
+#include "tests/scratch_folder.h"
+
 namespace shadertwin {
 namespace {
 
@@ -34,6 +38,24 @@ TEST(PassesWithHistory, AreThoseThatReadThemselvesOrAreReadEarlier) {
 TEST(PassesWithHistory, AreAllBuffersOnTheSite) {
   EXPECT_EQ(passes_with_history(two_buffers_and_a_picture(Dialect::shadertoy)),
             (std::vector<bool>{true, true, false}));
+}
+
+TEST(LoadTexture, OfOneChannelKeepsRedAlone) {
+  const ScratchFolder folder;
+  Image picture(1, 1);
+  picture.rgba = {0.2F, 0.4F, 0.6F, 0.8F};
+  Input input;
+  input.kind = InputKind::texture;
+  input.red_only = true;
+  input.files = {folder / "grey.png"};
+  write_image(picture, input.files[0]);
+  EXPECT_EQ(load_texture(input).data,
+            (std::vector<std::byte>{std::byte{51}, std::byte{0}, std::byte{0}, std::byte{255}}));
+  input.files = {folder / "grey.exr"};
+  write_image(picture, input.files[0]);
+  std::array<float, 4> texel{};
+  std::memcpy(texel.data(), load_texture(input).data.data(), sizeof texel);
+  EXPECT_EQ(texel, (std::array<float, 4>{0.2F, 0, 0, 1}));
 }
 
 TEST(ChannelSize, IsWhatEachDialectReports) {
