@@ -31,13 +31,22 @@ void append(std::vector<Finding>& findings, std::vector<Finding> more) {
   findings.insert(findings.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
+bool has_vertex_shader(const Project& project) {
+  return std::any_of(project.passes.begin(), project.passes.end(),
+                     [](const Pass& pass) { return pass.vertex.has_value(); });
+}
+
 std::vector<Finding> find(const Project& project, const PlayOptions& options, const Schedule& schedule) {
   std::vector<Finding> findings = check::text_rules(project);
   const std::vector<Finding> errors = check::compile_errors(project);
   append(findings, errors);
   if (errors.empty()) {
     append(findings, check::unwritten_outputs(project));
-    append(findings, check::run_checks(project, {schedule, options.frames, options.timeout}));
+    if (!has_vertex_shader(project))
+      append(findings, check::run_checks(project, {schedule, options.frames, options.timeout}));
+    else if (!options.quiet)
+      std::fprintf(stderr, "%s: warning: only read, not run: the twin has no vertex shaders (#iVertex)\n",
+                   options.shader.c_str());
   }
   return check::sorted(std::move(findings));
 }

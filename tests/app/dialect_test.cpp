@@ -61,6 +61,18 @@ TEST(CubemapPass, KeepsHalfFloatsTheSameOnOpenGlAndTheTwin) {
   EXPECT_EQ(kept, glm::vec4(0.333251953125F, 65504.0F, 0.0F, 1.0F));
 }
 
+TEST(VertexShader, CheckReadsTheTextAndSaysThatItDoesNotRun) {
+  const ScratchFolder folder;
+  folder.write("v.glsl", "varying vec2 at;\nvoid main() { at = vec2(0); gl_Position = vec4(0, 0, 0, 1); }\n");
+  folder.write("x.glsl",
+               "#iVertex \"v.glsl\"\nvarying vec2 at;\n"
+               "void mainImage(out vec4 c, in vec2 p) { c = vec4(at, saturate(1.), 1); }\n");
+  const Outcome outcome = run(folder, "check x.glsl");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.out.find("x.glsl:3: portability: "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.err.find("x.glsl: warning: only read, not run"), std::string::npos) << outcome.err;
+}
+
 class Vr : public testing::Test {
  protected:
   void SetUp() override {
