@@ -92,6 +92,10 @@ void add_load_options(CLI::App& command, PlayOptions& o) {
       ->check(CLI::IsMember({"shadertoy", "vscode"}));
   command.add_flag("--mute", o.mute,
                    "music and the microphone give the signal that shadertoy.com shows where sound is muted");
+  command.add_flag("--vscode-quirks", o.vscode_quirks,
+                   "with the rules of vscode: iMouse starts at -1 and its w is positive on the frame after a "
+                   "release, too, the "
+                   "first iTimeDelta is 0, and empty channels have alpha 0");
   command.add_flag("--quiet", o.quiet, "no warnings and no progress bar");
 }
 
@@ -155,6 +159,7 @@ Schedule make_schedule(const PlayOptions& o) {
   if (!std::isfinite(o.time)) throw Error(ExitStatus::usage, "--time must be a finite number");
   schedule.fps = o.fps;
   schedule.t0 = o.time;
+  schedule.vscode_quirks = o.vscode_quirks;
   if (!o.date.empty()) schedule.date = Date::parse(o.date);
   for (const std::string& text : o.mouse) schedule.mouse.push_back(parse_mouse(text));
   for (const std::string& list : o.keys)
@@ -171,6 +176,7 @@ LoadOptions make_load_options(const PlayOptions& o) {
   LoadOptions load_options;
   load_options.media = o.media;
   load_options.muted = o.mute;
+  load_options.vscode_quirks = o.vscode_quirks;
   load_options.zero_outputs = o.init == "zero";
   load_options.vr = o.vr;
   if (!o.dialect.empty()) load_options.dialect = o.dialect == "vscode" ? Dialect::vscode : Dialect::shadertoy;

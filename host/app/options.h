@@ -34,6 +34,7 @@ struct PlayOptions {
   bool vr = false;
   std::string seed;
   std::string init = "zero";
+  bool vscode_quirks = false;
 };
 
 // SHADER and the options that change what is loaded.

@@ -23,6 +23,7 @@ std::string options_text(const ViewCommand& o) {
   };
   for (const std::string& define : o.defines) add("-D", define);
   if (!o.seed.empty()) add("--seed", o.seed);
+  if (o.vscode_quirks) text += (text.empty() ? "" : " ") + std::string("--vscode-quirks");
   if (o.init != "zero") add("--init", o.init);
   if (o.vr) text += text.empty() ? "--vr" : " --vr";
   return text;
@@ -34,7 +35,8 @@ void run(const ViewCommand& o) {
   options.shader = o.shader;
   options.load = make_load_options(o);
   options.size = {schedule.width, schedule.height};
-  options.clock = {.t0 = schedule.t0, .rate = {}, .date = {}, .paused = o.paused};
+  options.clock = {
+      .t0 = schedule.t0, .rate = {}, .date = {}, .paused = o.paused, .vscode_quirks = o.vscode_quirks};
   if (o.fixed_rate) options.clock.rate = schedule.fps;
   if (o.fixed_rate || !o.date.empty()) options.clock.date = schedule.date;
   options.recording_rate = schedule.fps;

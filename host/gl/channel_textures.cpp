@@ -76,7 +76,7 @@ ChannelTextures::Picture& ChannelTextures::picture(const Input& input) {
 
 BoundTexture ChannelTextures::unbound(GLenum target) {
   TextureObject& object = unbound_[target];
-  if (object.name() == 0) object = make_unbound(gl_, target);
+  if (object.name() == 0) object = make_unbound(gl_, target, project_.vscode_quirks ? 0 : 255);
   return {target, object.name()};
 }
 

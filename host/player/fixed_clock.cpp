@@ -79,7 +79,9 @@ Frame FixedClock::next() {
   frame.index = index_;
   const double elapsed = index_ / schedule_.fps;
   frame.time = schedule_.t0 + elapsed;
-  frame.time_delta = index_ == 0 ? 1.0 / 60.0 : 1.0 / schedule_.fps;  // shadertoy.com's first frame says 1/60
+  // shadertoy.com's first frame says 1/60, the extension's 0.
+  const double first_delta = quirks_ ? 0.0 : 1.0 / 60.0;
+  frame.time_delta = index_ == 0 ? first_delta : 1.0 / schedule_.fps;
   frame.frame_rate = schedule_.fps;
   frame.date = shader_date(schedule_.date, elapsed);
   frame.mouse = mouse_.next_frame();

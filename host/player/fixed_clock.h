@@ -47,17 +47,23 @@ struct Schedule {
   Date date;                     // at t0
   std::vector<MouseStep> mouse;  // by frame
   std::vector<KeyStep> keys;
+  bool vscode_quirks = false;  // of the extension's projects: iMouse and the first iTimeDelta as it has them
 };
 
 class FixedClock {
  public:
-  FixedClock(Schedule schedule, Dialect dialect) : schedule_(std::move(schedule)), keyboard_(dialect) {}
+  FixedClock(Schedule schedule, Dialect dialect)
+      : schedule_(std::move(schedule)),
+        quirks_(schedule_.vscode_quirks && dialect == Dialect::vscode),
+        mouse_(quirks_),
+        keyboard_(dialect) {}
 
   // Frame 0, 1, 2 ...
   Frame next();
 
  private:
   Schedule schedule_;
+  bool quirks_;
   Mouse mouse_;
   Keyboard keyboard_;
   FlyCamera camera_;

@@ -29,7 +29,11 @@ Moment Moment::now() {
 }
 
 LiveClock::LiveClock(LiveSettings settings, Dialect dialect)
-    : settings_(settings), dialect_(dialect), keyboard_(dialect), time_(settings_.t0) {}
+    : settings_(settings),
+      dialect_(dialect),
+      mouse_(settings_.vscode_quirks && dialect == Dialect::vscode),
+      keyboard_(dialect),
+      time_(settings_.t0) {}
 
 void LiveClock::set_paused(bool paused) {
   if (settings_.paused && !paused) resumed_ = true;
@@ -61,7 +65,7 @@ void LiveClock::set_recording(std::optional<double> rate) {
 
 void LiveClock::set_dialect(Dialect dialect) {
   dialect_ = dialect;
-  mouse_ = Mouse();
+  mouse_ = Mouse(settings_.vscode_quirks && dialect == Dialect::vscode);
   keyboard_ = Keyboard(dialect);
   reset();
 }
@@ -73,6 +77,7 @@ Frame LiveClock::next(const Moment& now, glm::ivec2 size) {
   double delta = usual_delta;
   if (first_) {
     fixed_index_ = 0;
+    if (settings_.vscode_quirks && dialect_ == Dialect::vscode) delta = 0.0;
   } else if (!still) {
     ++fixed_index_;
     delta = stepped_ || rate.has_value() ? step : resumed_ ? usual_delta : now.seconds - last_seconds_;

@@ -27,6 +27,7 @@ struct LiveSettings {
   std::optional<double> rate = {};
   std::optional<Date> date = {};  // at t0; not given: the wall clock's
   bool paused = false;            // after the first frame
+  bool vscode_quirks = false;     // as Schedule::vscode_quirks
 };
 
 class LiveClock {

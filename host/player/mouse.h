@@ -9,6 +9,14 @@ namespace shadertwin {
 // frames; next_frame() gives the value that one frame sees.
 class Mouse {
  public:
+  // vscode_quirks: as the extension "Shader Toy" computes it, not the site: nothing is floored or clamped,
+  // all is -1 at first, and w is positive also on the first frame after the release.
+  explicit Mouse(bool vscode_quirks = false) : quirks_(vscode_quirks) {
+    if (!quirks_) return;
+    position_ = glm::vec2(-1.0F);
+    pressed_at_ = glm::vec2(1.0F);  // shown as -1
+  }
+
   void press(glm::dvec2 position, glm::ivec2 size);
   void move(glm::dvec2 position, glm::ivec2 size);  // counts only while a button is down
   void release();
@@ -25,8 +33,10 @@ class Mouse {
   glm::vec2 position_{0.0F};
   glm::vec2 pressed_at_{0.0F};
   glm::dvec2 look_{0.0};
+  bool quirks_;
   bool down_ = false;
-  bool pressed_ = false;  // since the last frame
+  bool pressed_ = false;   // since the last frame
+  bool released_ = false;  // likewise, if it was seen pressed
 };
 
 }  // namespace shadertwin

@@ -21,6 +21,7 @@ Project load_any(const std::filesystem::path& shader, const LoadOptions& options
 Project load_project(const std::filesystem::path& shader, const LoadOptions& options) {
   Project project = load_any(shader, options);
   project.muted = options.muted;
+  project.vscode_quirks = options.vscode_quirks && project.dialect == Dialect::vscode;
   return project;
 }
 

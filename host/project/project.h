@@ -124,6 +124,8 @@ struct Project {
   std::string common;        // the text of the Common tab
   std::vector<Pass> passes;  // in drawing order; the last one is the picture
   std::vector<CustomUniform> uniforms;
+  // Empty channels read (0, 0, 0, 0), as in the extension, instead of (0, 0, 0, 1).
+  bool vscode_quirks = false;
   bool first_person_controls = false;  // iViewMatrix follows the keys and the mouse
   bool muted = false;                  // music and the microphone give shadertoy.com's preview signal
   // Every text that the sources came from, as the user would name it: a path; for a JSON its path, a colon
@@ -143,6 +145,8 @@ struct LoadOptions {
   std::filesystem::path media = {};
   // `out` parameters start as zero, as in browsers. Off to find shaders that rely on it.
   bool zero_outputs = true;
+  // Project::vscode_quirks, for a project of the extension's dialect.
+  bool vscode_quirks = false;
   // The picture is mainVR() for two eyes side by side. Error(shader) if the shader has none.
   bool vr = false;
   bool muted = false;  // Project::muted

@@ -205,7 +205,8 @@ class TwinPlayerImpl final : public TwinPlayer {
       } else if (input.kind == InputKind::keyboard) {
         state.channels.bind_keyboard(i, keyboard_.picture());
         state.sizes[i] = channel_size(project_, input, nullptr, {0, 0});
-      } else if (input.missing == InputKind::pass) {
+      } else if (input.missing == InputKind::pass ||
+                 (input.wanted() == InputKind::none && project_.vscode_quirks)) {
         state.channels.bind(i, missing_pass_, input.sampler);
       } else if (input.kind != InputKind::pass) {
         state.moving[i] = moving_.load(input);

@@ -60,6 +60,19 @@ TEST_F(Render, DefinesWhatTheShaderLeavesUndefinedUnlessAskedNotTo) {
   EXPECT_EQ(run(folder, "render undefined.glsl --size 4x4 -o a.exr --init ones").status, 2);
 }
 
+TEST_F(Render, HasTheExtensionsQuirksWhenAsked) {
+  folder.write("quirks.glsl",
+               "void mainImage(out vec4 c, in vec2 p) { c = vec4(iMouse.w, iTimeDelta, texture(iChannel3, "
+               "p).a, 1); }");
+  for (const std::string on : {"egl", "cpu"}) {
+    ASSERT_EQ(run(folder, "render quirks.glsl --size 2x2 --vscode-quirks -o a.exr --quiet --on " + on).err,
+              "");
+    const Image image = read_image(folder / "a.exr");
+    EXPECT_EQ(std::vector<float>(image.at(0, 0), image.at(0, 0) + 4), (std::vector<float>{-1, 0, 0, 1}))
+        << on;
+  }
+}
+
 TEST_F(Render, TimeoutEndsAnEndlessLoopOnTheTwin) {
   folder.write("endless.glsl",
                "void mainImage(out vec4 c, in vec2 p) {\n"

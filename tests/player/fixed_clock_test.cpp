@@ -7,6 +7,15 @@
 namespace shadertwin {
 namespace {
 
+TEST(FixedClock, StartsWithTheExtensionsTimeDeltaWhenAsked) {
+  Schedule schedule;
+  schedule.vscode_quirks = true;
+  FixedClock clock(schedule, Dialect::vscode);
+  EXPECT_EQ(clock.next().time_delta, 0.0);
+  EXPECT_EQ(clock.next().time_delta, 1.0 / 60.0);
+  EXPECT_EQ(FixedClock(schedule, Dialect::shadertoy).next().time_delta, 1.0 / 60.0);
+}
+
 TEST(FixedClock, TimeIsTheFrameNumberOverTheRateWhateverTheClockSays) {
   Schedule schedule;
   schedule.fps = 50.0;

@@ -18,6 +18,21 @@ TEST(Mouse, IsNegativeZeroBeforeTheFirstClick) {
   EXPECT_TRUE(std::signbit(value.w));
 }
 
+TEST(Mouse, HasTheExtensionsQuirksWhenAsked) {
+  Mouse mouse(true);
+  EXPECT_EQ(mouse.next_frame(), glm::vec4(-1.0F));
+  mouse.press({100.5, 50.25}, size);
+  EXPECT_EQ(mouse.next_frame(), glm::vec4(100.5, 50.25, 100.5, 50.25));
+  mouse.move({700.0, -3.0}, size);
+  EXPECT_EQ(mouse.next_frame(), glm::vec4(700, -3, 100.5, -50.25));
+  mouse.release();
+  EXPECT_EQ(mouse.next_frame(), glm::vec4(700, -3, -100.5, 50.25));
+  EXPECT_EQ(mouse.next_frame(), glm::vec4(700, -3, -100.5, -50.25));
+  mouse.press({1.0, 2.0}, size);
+  mouse.release();
+  EXPECT_EQ(mouse.next_frame(), glm::vec4(1, 2, -1, -2));
+}
+
 TEST(Mouse, ShowsThePressOnOneFrameAndTheDragUntilTheRelease) {
   Mouse mouse;
   mouse.press({100.0, 50.0}, size);
