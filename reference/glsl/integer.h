@@ -108,8 +108,6 @@ SHADERTWIN_RELATIONS(ivec)
 SHADERTWIN_RELATIONS(uvec)
 SHADERTWIN_RELATION(equal, ==, bvec)
 SHADERTWIN_RELATION(notEqual, !=, bvec)
-#undef SHADERTWIN_RELATIONS
-#undef SHADERTWIN_RELATION
 
 SHADERTWIN_INLINE bool any(bvec2 v) {
   return v.x || v.y;

@@ -7,6 +7,7 @@
 #define GLM_FORCE_SWIZZLE  // v.xyz(): member functions, since they give plain vectors
 #endif
 #include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <glm/mat2x2.hpp>
@@ -111,19 +112,19 @@ struct array {
 };
 
 // v[i] and m[i] for an index that is no constant: component or column.
-template <int N, class T, class Index>
+template <int N, class T, std::integral Index>
 SHADERTWIN_INLINE T& at(glm::vec<N, T>& v, Index index) {
   return v[clamp_index(index, N)];
 }
-template <int N, class T, class Index>
+template <int N, class T, std::integral Index>
 SHADERTWIN_INLINE T at(const glm::vec<N, T>& v, Index index) {
   return v[clamp_index(index, N)];
 }
-template <int C, int R, class T, class Index>
+template <int C, int R, class T, std::integral Index>
 SHADERTWIN_INLINE glm::vec<R, T>& at(glm::mat<C, R, T>& m, Index index) {
   return m[clamp_index(index, C)];
 }
-template <int C, int R, class T, class Index>
+template <int C, int R, class T, std::integral Index>
 SHADERTWIN_INLINE glm::vec<R, T> at(const glm::mat<C, R, T>& m, Index index) {
   return m[clamp_index(index, C)];
 }

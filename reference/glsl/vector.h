@@ -6,6 +6,11 @@
 
 namespace shadertwin::glsl::inline SHADERTWIN_PRECISION {
 
+// GLM's subtracts a vec4 from zero, which loses the sign of a zero.
+SHADERTWIN_INLINE vec4 operator-(vec4 v) {
+  return vec4(-v.x, -v.y, -v.z, -v.w);
+}
+
 // --- Geometry ---------------------------------------------------------------
 
 SHADERTWIN_INLINE Float dot(Float a, Float b) {
@@ -78,28 +83,27 @@ SHADERTWIN_GEOMETRY(4)
 
 // --- Products of matrices ---------------------------------------------------
 
-// Overloads for each type, which are preferred to GLM's templates: those add in another order.
+// Overloads for each type, which are preferred to GLM's templates: those add in another order. The templates
+// below serve packets (packet.h) too.
 namespace detail {
 
-template <int C, int R>
-SHADERTWIN_INLINE glm::vec<R, Float> columns_times(const glm::mat<C, R, Float>& m,
-                                                   const glm::vec<C, Float>& v) {
-  glm::vec<R, Float> sum = m[0] * v[0];
+template <int C, int R, class T>
+SHADERTWIN_INLINE glm::vec<R, T> columns_times(const glm::mat<C, R, T>& m, const glm::vec<C, T>& v) {
+  glm::vec<R, T> sum = m[0] * v[0];
   for (int c = 1; c < C; ++c) sum = sum + m[c] * v[c];
   return sum;
 }
 
-template <int C, int R>
-SHADERTWIN_INLINE glm::vec<C, Float> row_times(const glm::vec<R, Float>& v, const glm::mat<C, R, Float>& m) {
-  glm::vec<C, Float> result;
+template <int C, int R, class T>
+SHADERTWIN_INLINE glm::vec<C, T> row_times(const glm::vec<R, T>& v, const glm::mat<C, R, T>& m) {
+  glm::vec<C, T> result;
   for (int c = 0; c < C; ++c) result[c] = dot(v, m[c]);
   return result;
 }
 
-template <int N, int C, int R>
-SHADERTWIN_INLINE glm::mat<C, R, Float> matrix_times(const glm::mat<N, R, Float>& a,
-                                                     const glm::mat<C, N, Float>& b) {
-  glm::mat<C, R, Float> result;
+template <int N, int C, int R, class T>
+SHADERTWIN_INLINE glm::mat<C, R, T> matrix_times(const glm::mat<N, R, T>& a, const glm::mat<C, N, T>& b) {
+  glm::mat<C, R, T> result;
   for (int c = 0; c < C; ++c) result[c] = columns_times(a, b[c]);
   return result;
 }
@@ -131,36 +135,34 @@ SHADERTWIN_PRODUCTS(3, 4)
 SHADERTWIN_PRODUCTS(4, 2)
 SHADERTWIN_PRODUCTS(4, 3)
 SHADERTWIN_PRODUCTS(4, 4)
-#undef SHADERTWIN_PRODUCTS
 
 // Component by component, as everywhere else in GLSL; GLM divides square matrices by the inverse.
 namespace detail {
-template <int C, int R>
-SHADERTWIN_INLINE glm::mat<C, R, Float> component_product(const glm::mat<C, R, Float>& a,
-                                                          const glm::mat<C, R, Float>& b) {
-  glm::mat<C, R, Float> result;
+template <int C, int R, class T>
+SHADERTWIN_INLINE glm::mat<C, R, T> component_product(const glm::mat<C, R, T>& a,
+                                                      const glm::mat<C, R, T>& b) {
+  glm::mat<C, R, T> result;
   for (int c = 0; c < C; ++c) result[c] = a[c] * b[c];
   return result;
 }
-template <int C, int R>
-SHADERTWIN_INLINE glm::mat<C, R, Float> component_quotient(const glm::mat<C, R, Float>& a,
-                                                           const glm::mat<C, R, Float>& b) {
-  glm::mat<C, R, Float> result;
+template <int C, int R, class T>
+SHADERTWIN_INLINE glm::mat<C, R, T> component_quotient(const glm::mat<C, R, T>& a,
+                                                       const glm::mat<C, R, T>& b) {
+  glm::mat<C, R, T> result;
   for (int c = 0; c < C; ++c) result[c] = a[c] / b[c];
   return result;
 }
-template <int C, int R>
-SHADERTWIN_INLINE glm::mat<R, C, Float> transposed(const glm::mat<C, R, Float>& m) {
-  glm::mat<R, C, Float> result;
+template <int C, int R, class T>
+SHADERTWIN_INLINE glm::mat<R, C, T> transposed(const glm::mat<C, R, T>& m) {
+  glm::mat<R, C, T> result;
   for (int c = 0; c < C; ++c) {
     for (int r = 0; r < R; ++r) result[r][c] = m[c][r];
   }
   return result;
 }
-template <int C, int R>
-SHADERTWIN_INLINE glm::mat<C, R, Float> outer(const glm::vec<R, Float>& column,
-                                              const glm::vec<C, Float>& row) {
-  glm::mat<C, R, Float> result;
+template <int C, int R, class T>
+SHADERTWIN_INLINE glm::mat<C, R, T> outer(const glm::vec<R, T>& column, const glm::vec<C, T>& row) {
+  glm::mat<C, R, T> result;
   for (int c = 0; c < C; ++c) result[c] = column * row[c];
   return result;
 }
@@ -188,85 +190,109 @@ SHADERTWIN_MATRIX(3, 4)
 SHADERTWIN_MATRIX(4, 2)
 SHADERTWIN_MATRIX(4, 3)
 SHADERTWIN_MATRIX(4, 4)
-#undef SHADERTWIN_MATRIX
 
 // --- Determinants and inverses ----------------------------------------------
 
 namespace detail {
 
 // The minor of rows r, s in columns a, b.
-template <int N>
-SHADERTWIN_INLINE Float minor(const glm::mat<N, N, Float>& m, int a, int b, int r, int s) {
+template <int N, class T>
+SHADERTWIN_INLINE T minor(const glm::mat<N, N, T>& m, int a, int b, int r, int s) {
   return m[a][r] * m[b][s] - m[b][r] * m[a][s];
 }
 
 // The cofactors by which column 0 of the inverse's adjugate is scaled: also the expansion of the determinant.
-SHADERTWIN_INLINE vec4 first_cofactors(const mat4& m) {
-  const Float s0 = minor(m, 2, 3, 2, 3);
-  const Float s1 = minor(m, 2, 3, 1, 3);
-  const Float s2 = minor(m, 2, 3, 1, 2);
-  const Float s3 = minor(m, 2, 3, 0, 3);
-  const Float s4 = minor(m, 2, 3, 0, 2);
-  const Float s5 = minor(m, 2, 3, 0, 1);
-  return vec4(m[1][1] * s0 - m[1][2] * s1 + m[1][3] * s2, -(m[1][0] * s0 - m[1][2] * s3 + m[1][3] * s4),
-              m[1][0] * s1 - m[1][1] * s3 + m[1][3] * s5, -(m[1][0] * s2 - m[1][1] * s4 + m[1][2] * s5));
+template <class T>
+SHADERTWIN_INLINE glm::vec<4, T> first_cofactors(const glm::mat<4, 4, T>& m) {
+  const T s0 = minor(m, 2, 3, 2, 3);
+  const T s1 = minor(m, 2, 3, 1, 3);
+  const T s2 = minor(m, 2, 3, 1, 2);
+  const T s3 = minor(m, 2, 3, 0, 3);
+  const T s4 = minor(m, 2, 3, 0, 2);
+  const T s5 = minor(m, 2, 3, 0, 1);
+  return glm::vec<4, T>(
+      m[1][1] * s0 - m[1][2] * s1 + m[1][3] * s2, -(m[1][0] * s0 - m[1][2] * s3 + m[1][3] * s4),
+      m[1][0] * s1 - m[1][1] * s3 + m[1][3] * s5, -(m[1][0] * s2 - m[1][1] * s4 + m[1][2] * s5));
+}
+
+template <class T>
+SHADERTWIN_INLINE T determinant_of(const glm::mat<2, 2, T>& m) {
+  return m[0][0] * m[1][1] - m[1][0] * m[0][1];
+}
+template <class T>
+SHADERTWIN_INLINE T determinant_of(const glm::mat<3, 3, T>& m) {
+  const T f1 = m[1][1] * m[2][2] - m[1][2] * m[2][1];
+  const T f2 = m[1][0] * m[2][2] - m[1][2] * m[2][0];
+  const T f3 = m[1][0] * m[2][1] - m[1][1] * m[2][0];
+  return m[0][0] * f1 - m[0][1] * f2 + m[0][2] * f3;
+}
+template <class T>
+SHADERTWIN_INLINE T determinant_of(const glm::mat<4, 4, T>& m) {
+  return dot(m[0], first_cofactors(m));
+}
+
+template <class T>
+inline glm::mat<2, 2, T> inverse_of(const glm::mat<2, 2, T>& m) {
+  const T det = determinant_of(m);
+  glm::mat<2, 2, T> result;
+  result[0] = glm::vec<2, T>(m[1][1] / det, -m[0][1] / det);
+  result[1] = glm::vec<2, T>(-m[1][0] / det, m[0][0] / det);
+  return result;
+}
+
+template <class T>
+inline glm::mat<3, 3, T> inverse_of(const glm::mat<3, 3, T>& m) {
+  const T f0 = minor(m, 1, 2, 1, 2);
+  const T f1 = minor(m, 1, 2, 0, 2);
+  const T f2 = minor(m, 1, 2, 0, 1);
+  const T det = m[0][0] * f0 - m[0][1] * f1 + m[0][2] * f2;
+  glm::mat<3, 3, T> result;
+  result[0] = glm::vec<3, T>(f0, -minor(m, 0, 2, 1, 2), minor(m, 0, 1, 1, 2)) / det;
+  result[1] = glm::vec<3, T>(-f1, minor(m, 0, 2, 0, 2), -minor(m, 0, 1, 0, 2)) / det;
+  result[2] = glm::vec<3, T>(f2, -minor(m, 0, 2, 0, 1), minor(m, 0, 1, 0, 1)) / det;
+  return result;
+}
+
+template <class T>
+inline glm::mat<4, 4, T> inverse_of(const glm::mat<4, 4, T>& m) {
+  using V = glm::vec<4, T>;
+  const V first = first_cofactors(m);
+  const T det = dot(m[0], first);
+  // Cofactors of row `row` of the adjugate, from the minors of columns a and b, expanded along column e.
+  const auto row = [&m](int e, int a, int b) {
+    const T s0 = minor(m, a, b, 2, 3);
+    const T s1 = minor(m, a, b, 1, 3);
+    const T s2 = minor(m, a, b, 1, 2);
+    const T s3 = minor(m, a, b, 0, 3);
+    const T s4 = minor(m, a, b, 0, 2);
+    const T s5 = minor(m, a, b, 0, 1);
+    return V(m[e][1] * s0 - m[e][2] * s1 + m[e][3] * s2, m[e][0] * s0 - m[e][2] * s3 + m[e][3] * s4,
+             m[e][0] * s1 - m[e][1] * s3 + m[e][3] * s5, m[e][0] * s2 - m[e][1] * s4 + m[e][2] * s5);
+  };
+  const V y = row(0, 2, 3);
+  const V z = row(0, 1, 3);
+  const V w = row(0, 1, 2);
+  glm::mat<4, 4, T> result;
+  result[0] = V(first.x, -y.x, z.x, -w.x) / det;
+  result[1] = V(first.y, y.y, -z.y, w.y) / det;
+  result[2] = V(first.z, -y.z, z.z, -w.z) / det;
+  result[3] = V(first.w, y.w, -z.w, w.w) / det;
+  return result;
 }
 
 }  // namespace detail
 
-inline Float determinant(const mat2& m) {
-  return m[0][0] * m[1][1] - m[1][0] * m[0][1];
-}
-inline Float determinant(const mat3& m) {
-  const Float f1 = m[1][1] * m[2][2] - m[1][2] * m[2][1];
-  const Float f2 = m[1][0] * m[2][2] - m[1][2] * m[2][0];
-  const Float f3 = m[1][0] * m[2][1] - m[1][1] * m[2][0];
-  return m[0][0] * f1 - m[0][1] * f2 + m[0][2] * f3;
-}
-inline Float determinant(const mat4& m) {
-  return dot(m[0], detail::first_cofactors(m));
-}
-
-inline mat2 inverse(const mat2& m) {
-  const Float det = determinant(m);
-  SHADERTWIN_PROBE(det == 0, inverse_of_singular);
-  return mat2(m[1][1] / det, -m[0][1] / det, -m[1][0] / det, m[0][0] / det);
-}
-
-inline mat3 inverse(const mat3& m) {
-  using detail::minor;
-  const Float f0 = minor(m, 1, 2, 1, 2);
-  const Float f1 = minor(m, 1, 2, 0, 2);
-  const Float f2 = minor(m, 1, 2, 0, 1);
-  const Float det = m[0][0] * f0 - m[0][1] * f1 + m[0][2] * f2;
-  SHADERTWIN_PROBE(det == 0, inverse_of_singular);
-  const vec3 c0(f0, -minor(m, 0, 2, 1, 2), minor(m, 0, 1, 1, 2));
-  const vec3 c1(-f1, minor(m, 0, 2, 0, 2), -minor(m, 0, 1, 0, 2));
-  const vec3 c2(f2, -minor(m, 0, 2, 0, 1), minor(m, 0, 1, 0, 1));
-  return mat3(c0 / det, c1 / det, c2 / det);
-}
-
-inline mat4 inverse(const mat4& m) {
-  using detail::minor;
-  const vec4 first = detail::first_cofactors(m);
-  const Float det = dot(m[0], first);
-  SHADERTWIN_PROBE(det == 0, inverse_of_singular);
-  // Cofactors of row `row` of the adjugate, from the minors of columns a and b, expanded along column e.
-  const auto row = [&m](int e, int a, int b) {
-    const Float s0 = minor(m, a, b, 2, 3);
-    const Float s1 = minor(m, a, b, 1, 3);
-    const Float s2 = minor(m, a, b, 1, 2);
-    const Float s3 = minor(m, a, b, 0, 3);
-    const Float s4 = minor(m, a, b, 0, 2);
-    const Float s5 = minor(m, a, b, 0, 1);
-    return vec4(m[e][1] * s0 - m[e][2] * s1 + m[e][3] * s2, m[e][0] * s0 - m[e][2] * s3 + m[e][3] * s4,
-                m[e][0] * s1 - m[e][1] * s3 + m[e][3] * s5, m[e][0] * s2 - m[e][1] * s4 + m[e][2] * s5);
-  };
-  const vec4 y = row(0, 2, 3);
-  const vec4 z = row(0, 1, 3);
-  const vec4 w = row(0, 1, 2);
-  return mat4(vec4(first.x, -y.x, z.x, -w.x) / det, vec4(first.y, y.y, -z.y, w.y) / det,
-              vec4(first.z, -y.z, z.z, -w.z) / det, vec4(first.w, y.w, -z.w, w.w) / det);
-}
+#define SHADERTWIN_SQUARE(type)                                            \
+  inline Float determinant(const type& m) {                                \
+    return detail::determinant_of(m);                                      \
+  }                                                                        \
+  inline type inverse(const type& m) {                                     \
+    SHADERTWIN_PROBE(detail::determinant_of(m) == 0, inverse_of_singular); \
+    return detail::inverse_of(m);                                          \
+  }
+SHADERTWIN_SQUARE(mat2)
+SHADERTWIN_SQUARE(mat3)
+SHADERTWIN_SQUARE(mat4)
+#undef SHADERTWIN_SQUARE
 
 }  // namespace shadertwin::glsl::inline SHADERTWIN_PRECISION
