@@ -67,7 +67,7 @@ CppExpressions::Text CppExpressions::comma(const TIntermAggregate& node, bool wa
 
 CppExpressions::Text CppExpressions::constructor(const TIntermAggregate& node) {
   const TType& type = node.getType();
-  const std::string name = context_.type(type);
+  const std::string name = type_of(node);
   const std::string values = arguments(node.getSequence());
   if (type.isArray()) return {name + "{{" + values + "}}", Binding::postfix};
   if (type.isStruct()) return {name + "{" + values + "}", Binding::postfix};

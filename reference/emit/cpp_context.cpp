@@ -60,6 +60,10 @@ bool is_large(const TType& type) {
 
 }  // namespace
 
+bool is_wide_constant(const TType& type) {
+  return type.isStruct() || (type.isArray() && type.getBasicType() == EbtBool);
+}
+
 std::string cpp_name(const std::string& glsl_name) {
   return is_taken_in_cpp(glsl_name) ? glsl_name + '_' : glsl_name;
 }
@@ -108,23 +112,28 @@ CppContext::CppContext(const Program& program, const CppOptions& options)
   }
 }
 
-std::string CppContext::type(const TType& type) const {
+std::string CppContext::type(const TType& type, bool varying) const {
   if (type.isArray()) {
     const TType element(type, 0);
-    return "array<" + this->type(element) + ", " + std::to_string(type.getOuterArraySize()) + ">";
+    return "array<" + this->type(element, varying) + ", " + std::to_string(type.getOuterArraySize()) + ">";
   }
   if (type.isStruct()) return structs_.name_of(type);
-  if (type.isMatrix()) return matrix_name(type);
+  const bool packed = options_.packets && varying;
+  const std::string space = options_.packets && !varying ? "uniform::" : "";
+  if (type.isMatrix()) return space + matrix_name(type);
   const std::string size = type.isVector() ? std::to_string(type.getVectorSize()) : "";
+  const auto either = [&](const char* scalar, const char* packet, const char* vector) {
+    return type.isVector() ? space + vector + size : packed ? packet : scalar;
+  };
   switch (type.getBasicType()) {
     case EbtFloat:
-      return type.isVector() ? "vec" + size : "Float";
+      return either(options_.packets ? "float" : "Float", "Float", "vec");
     case EbtInt:
-      return type.isVector() ? "ivec" + size : "int";
+      return either("int", "Int", "ivec");
     case EbtUint:
-      return type.isVector() ? "uvec" + size : "uint";
+      return either("uint", "Uint", "uvec");
     case EbtBool:
-      return type.isVector() ? "bvec" + size : "bool";
+      return either("bool", "Bool", "bvec");
     case EbtSampler:
       return sampler_name(type.getSampler());
     default:
@@ -159,7 +168,8 @@ std::string CppContext::field(const TType& structure, int index) const {
   return cpp_name((*structure.getStruct())[index].type->getFieldName().c_str());
 }
 
-std::string CppContext::value(const TType& type, const TConstUnionArray& values, int& at) const {
+std::string CppContext::value(const TType& type, const TConstUnionArray& values, int& at,
+                              bool varying) const {
   const auto joined = [&](int count, const auto& part) {
     std::string text;
     for (int i = 0; i < count; ++i) text += (i > 0 ? ", " : "") + part(i);
@@ -167,14 +177,14 @@ std::string CppContext::value(const TType& type, const TConstUnionArray& values,
   };
   if (type.isArray()) {
     const TType element(type, 0);
-    return this->type(type) + "{{" +
-           joined(type.getOuterArraySize(), [&](int) { return value(element, values, at); }) + "}}";
+    return this->type(type, varying) + "{{" +
+           joined(type.getOuterArraySize(), [&](int) { return value(element, values, at, varying); }) + "}}";
   }
   if (type.isStruct()) {
     const TTypeList& members = *type.getStruct();
     return this->type(type) + "{" +
            joined(static_cast<int>(members.size()),
-                  [&](int i) { return value(*members[i].type, values, at); }) +
+                  [&](int i) { return value(*members[i].type, values, at, varying); }) +
            "}";
   }
   const auto scalar = [&](int) -> std::string {
@@ -195,7 +205,8 @@ std::string CppContext::value(const TType& type, const TConstUnionArray& values,
   if (!type.isMatrix() && !type.isVector()) return scalar(0);
   bool all_equal = type.isVector();
   for (int i = 1; i < count && all_equal; ++i) all_equal = values[at + i] == values[at];
-  std::string text = this->type(type) + "(";
+  std::string text = this->type(type, varying) + "(";
+  if (type.isMatrix() && varying) text.insert(0, "make<").replace(text.size() - 1, 1, ">(");
   if (all_equal && (values[at].getType() != EbtFloat || values[at].getDConst() != 0 ||
                     !std::signbit(values[at].getDConst()))) {
     text += scalar(0);
@@ -214,13 +225,14 @@ std::string CppContext::named_constant(const TIntermConstantUnion& node) {
   return tree.tokens()[declaration].text;
 }
 
-std::string CppContext::hoist(const std::string& wanted_name, const TType& type, const std::string& value) {
+std::string CppContext::hoist(const std::string& wanted_name, const std::string& type,
+                              const std::string& value) {
   const std::string key = wanted_name + ' ' + value;
   const auto found = hoisted_names_.find(key);
   if (found != hoisted_names_.end()) return found->second;
   const std::string name = names_.take(cpp_name(wanted_name));
   hoisted_names_[key] = name;
-  hoisted_.push_back("const " + this->type(type) + " " + name + " = " + value + ";");
+  hoisted_.push_back("const " + type + " " + name + " = " + value + ";");
   return name;
 }
 
@@ -234,11 +246,12 @@ bool CppContext::is_global_constant(const std::string& name, const TIntermConsta
 
 std::string CppContext::constant(const TIntermConstantUnion& node) {
   int at = 0;
-  const std::string text = value(node.getType(), node.getConstArray(), at);
+  const bool wide = options_.packets && is_wide_constant(node.getType());
+  const std::string text = value(node.getType(), node.getConstArray(), at, wide);
   const std::string name = named_constant(node);
   const bool named = !name.empty() && (is_large(node.getType()) || is_global_constant(name, node));
   if (!named && !node.getType().isArray()) return text;
-  return hoist(named ? name : "constant", node.getType(), text);
+  return hoist(named ? name : "constant", type(node.getType(), wide), text);
 }
 
 }  // namespace shadertwin::emit

@@ -39,8 +39,9 @@ class CppContext {
   const CppOptions& options() const { return options_; }
   const StructTable& structs() const { return structs_; }
 
-  // `vec3`, `Ray`, `array<Float, 4>` ...
-  std::string type(const glslang::TType& type) const;
+  // `vec3`, `Ray`, `array<Float, 4>` ... Where pixels run in packets, `varying` tells whether the value may
+  // differ between them: `Float` and `vec3`, or `float` and `uniform::vec3`.
+  std::string type(const glslang::TType& type, bool varying = false) const;
   std::string literal(double value) const;
   std::string global(const glslang::TIntermSymbol& symbol) const;
   std::string function(const std::string& glsl_name) const;
@@ -50,14 +51,15 @@ class CppContext {
   // A constant's value, or the name of the hoisted constant that holds it.
   std::string constant(const glslang::TIntermConstantUnion& node);
   // A constant's value, written out.
-  std::string value(const glslang::TType& type, const glslang::TConstUnionArray& values, int& at) const;
+  std::string value(const glslang::TType& type, const glslang::TConstUnionArray& values, int& at,
+                    bool varying = false) const;
   // Declarations of the constants that constant() has hoisted, in the order of their first use.
   const std::vector<std::string>& hoisted() const { return hoisted_; }
 
  private:
   std::string named_constant(const glslang::TIntermConstantUnion& node);
   bool is_global_constant(const std::string& name, const glslang::TIntermConstantUnion& node) const;
-  std::string hoist(const std::string& wanted_name, const glslang::TType& type, const std::string& value);
+  std::string hoist(const std::string& wanted_name, const std::string& type, const std::string& value);
 
   const Program& program_;
   CppOptions options_;
@@ -69,6 +71,10 @@ class CppContext {
   std::map<std::string, std::string> hoisted_names_;                // by wanted name and value
   std::vector<std::string> hoisted_;
 };
+
+// Whether packets hold a constant of this type as one of varying values. Structures have no other shape, and
+// a lone bool is no 32-bit word.
+bool is_wide_constant(const glslang::TType& type);
 
 // `name`, or `name_` where C++ or the twin's library has taken it.
 std::string cpp_name(const std::string& glsl_name);

@@ -76,8 +76,9 @@ const char* integer_function(TOperator op, const TIntermTyped& left, const TInte
 
 }  // namespace
 
-std::string CppExpressions::value(const TIntermTyped& node) {
-  return expression(node).text;
+std::string CppExpressions::value(const TIntermTyped& node, bool wide) {
+  const Text text = expression(node);
+  return wide ? widened(node, text).text : text.text;
 }
 
 std::vector<std::string> CppExpressions::take_prelude() {
@@ -103,7 +104,7 @@ CppExpressions::Text CppExpressions::enclosed(const TIntermTyped& node, bool wan
   const Text text = has_value ? expression(node) : Text{statement(node), Binding::comma};
   const std::vector<std::string> inner = std::exchange(prelude_, std::move(outer));
   if (inner.empty()) return text;
-  std::string lambda = has_value ? "[&]() -> " + context_.type(node.getType()) + " { " : "[&] { ";
+  std::string lambda = has_value ? "[&]() -> " + type_of(node) + " { " : "[&] { ";
   for (const std::string& line : inner) lambda += line + ' ';
   if (!text.text.empty()) lambda += (has_value ? "return " : "") + text.text + "; ";
   return {lambda + "}()", Binding::postfix};
@@ -122,11 +123,12 @@ std::string CppExpressions::statement(const TIntermTyped& node) {
 
 CppExpressions::Text CppExpressions::temporary(const TIntermTyped& node, const std::string& text) {
   const std::string name = names_.take("tmp");
-  prelude_.push_back("const " + context_.type(node.getType()) + " " + name + " = " + text + ";");
+  prelude_.push_back("const " + type_of(node) + " " + name + " = " + text + ";");
   return {name};
 }
 
-std::vector<CppExpressions::Text> CppExpressions::in_order(const std::vector<const TIntermTyped*>& operands) {
+std::vector<CppExpressions::Text> CppExpressions::in_order(const std::vector<const TIntermTyped*>& operands,
+                                                           bool wide) {
   std::vector<const Effects*> effects;
   for (const TIntermTyped* operand : operands) effects.push_back(&context_.program().effects(*operand));
   std::vector<Text> texts;
@@ -140,22 +142,29 @@ std::vector<CppExpressions::Text> CppExpressions::in_order(const std::vector<con
       order_shows |= (reads_before || writes_before) && effects[i]->conflicts_with(*effects[j]);
     }
     if (order_shows) text = temporary(*operands[i], text.text);
-    texts.push_back(text);
+    texts.push_back(wide ? widened(*operands[i], text) : text);
   }
   return texts;
 }
 
-std::string CppExpressions::arguments(const TIntermSequence& sequence) {
+std::string CppExpressions::arguments(const TIntermSequence& sequence, bool wide) {
   std::vector<const TIntermTyped*> operands;
   for (const TIntermNode* node : sequence) operands.push_back(node->getAsTyped());
-  return arguments(operands);
+  return arguments(operands, wide);
 }
 
-std::string CppExpressions::arguments(const std::vector<const TIntermTyped*>& operands) {
+std::string CppExpressions::arguments(const std::vector<const TIntermTyped*>& operands, bool wide) {
+  const std::vector<Text> texts = in_order(operands);
   std::string text;
-  for (const Text& operand : in_order(operands))
-    text += (text.empty() ? "" : ", ") + operand.at_least(Binding::assignment);
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const Text argument = wide ? packed(*operands[i], texts[i]) : texts[i];
+    text += (text.empty() ? "" : ", ") + argument.at_least(Binding::assignment);
+  }
   return text;
+}
+
+std::string CppExpressions::type_of(const TIntermTyped& node) const {
+  return context_.type(node.getType());
 }
 
 CppExpressions::Text CppExpressions::expression(const TIntermTyped& node) {
@@ -211,7 +220,7 @@ CppExpressions::Text CppExpressions::index(const TIntermBinary& node) {
   }
   const std::vector<Text> parts = in_order({&left, node.getRight()});
   const bool is_array = left.isArray();
-  if (!is_array && node.getOp() == EOpIndexIndirect)
+  if ((!is_array && node.getOp() == EOpIndexIndirect) || varies(*node.getRight()))
     return {"at(" + parts[0].text + ", " + parts[1].text + ")", Binding::postfix};
   return {parts[0].at_least(Binding::postfix) + '[' + parts[1].text + ']', Binding::postfix};
 }
@@ -226,24 +235,32 @@ CppExpressions::Text CppExpressions::binary(const TIntermBinary& node) {
 
 CppExpressions::Text CppExpressions::arithmetic(const TIntermBinary& node) {
   const TOperator op = node.getOp();
-  if (op == EOpLogicalAnd || op == EOpLogicalOr) {
-    const BinaryOperator sign = binary_operator(op);
-    const Text left = expression(*node.getLeft());
-    const Text right = enclosed(*node.getRight(), true);  // it may not run at all
-    return {left.at_least(sign.binding) + ' ' + sign.sign + ' ' + right.at_least(above(sign.binding)),
-            sign.binding};
-  }
-  const std::vector<Text> operands = in_order({node.getLeft(), node.getRight()});
+  if (op == EOpLogicalAnd || op == EOpLogicalOr) return logical(node);
+  const std::vector<Text> operands = in_order({node.getLeft(), node.getRight()}, varies(node));
   return arithmetic(op, *node.getLeft(), *node.getRight(), operands[0], operands[1]);
+}
+
+CppExpressions::Text CppExpressions::logical(const TIntermBinary& node) {
+  const BinaryOperator sign = binary_operator(node.getOp());
+  const Text left = expression(*node.getLeft());
+  const Text right = enclosed(*node.getRight(), true);  // it may not run at all
+  return {left.at_least(sign.binding) + ' ' + sign.sign + ' ' + right.at_least(above(sign.binding)),
+          sign.binding};
 }
 
 CppExpressions::Text CppExpressions::arithmetic(TOperator op, const TIntermTyped& left,
                                                 const TIntermTyped& right, const Text& left_text,
                                                 const Text& right_text) {
-  if (const char* function = integer_function(op, left, right))
-    return {std::string(function) + "(" + left_text.text + ", " + right_text.text + ")", Binding::postfix};
-  if (op == EOpDiv && left.isMatrix() && right.isMatrix())  // GLM multiplies by the inverse
-    return {"divide(" + left_text.text + ", " + right_text.text + ")", Binding::postfix};
+  if (const char* function = integer_function(op, left, right)) {
+    const bool wide = varies(left) || varies(right);
+    return {std::string(function) + "(" + (wide ? packed(left, left_text) : left_text).text + ", " +
+                (wide ? packed(right, right_text) : right_text).text + ")",
+            Binding::postfix};
+  }
+  const bool compares = op == EOpEqual || op == EOpNotEqual;
+  if (compares && !left.isScalar() && (varies(left) || varies(right)))
+    return {(op == EOpEqual ? "same__(" : "!same__(") + left_text.text + ", " + right_text.text + ")",
+            Binding::prefix};
   if (needs_division_check(op, left, right))
     return {"checked_divide(" + left_text.text + ", " + right_text.text + ")", Binding::postfix};
   BinaryOperator sign = binary_operator(op);
@@ -343,8 +360,8 @@ CppExpressions::Text CppExpressions::increment(const TIntermUnary& node, bool wa
 
 CppExpressions::Text CppExpressions::conversion(const TIntermTyped& node, const TIntermTyped& operand) {
   const bool plain = node.isScalar() && operand.isScalar() && node.getBasicType() != EbtBool &&
-                     operand.getBasicType() != EbtFloat;
-  const std::string type = context_.type(node.getType());
+                     operand.getBasicType() != EbtFloat && !varies(node);
+  const std::string type = type_of(node);
   return {(plain ? type : "make<" + type + ">") + "(" + expression(operand).text + ")", Binding::postfix};
 }
 

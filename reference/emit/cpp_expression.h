@@ -15,12 +15,15 @@ class CppExpressions {
  public:
   // `names` holds what the function's temporaries must not be called.
   CppExpressions(CppContext& context, NameScope& names) : context_(context), names_(names) {}
+  virtual ~CppExpressions() = default;
+  CppExpressions(const CppExpressions&) = delete;
+  CppExpressions& operator=(const CppExpressions&) = delete;
 
   void name_local(SymbolId id, const std::string& name) { locals_[id] = name; }
   const std::string& local(SymbolId id) const { return locals_.at(id); }
 
-  // The expression's text; prelude() holds what has to stand before it.
-  std::string value(const glslang::TIntermTyped& node);
+  // The expression's text; prelude() holds what has to stand before it. `wide`: for a variable that varies.
+  std::string value(const glslang::TIntermTyped& node, bool wide = false);
   // The same for a place where no statement can stand in front, such as a loop's condition.
   std::string self_contained(const glslang::TIntermTyped& node);
   // An expression whose value nobody wants; empty if the prelude says it all.
@@ -30,7 +33,7 @@ class CppExpressions {
   // Empties the prelude.
   std::vector<std::string> take_prelude();
 
- private:
+ protected:
   struct Text {
     std::string text;
     Binding binding = Binding::primary;
@@ -44,6 +47,22 @@ class CppExpressions {
     std::vector<int> components;
   };
 
+  // What packets (packet_expression.h) say in another way.
+  virtual std::string type_of(const glslang::TIntermTyped& node) const;
+  // Whether the value may differ between the pixels of a packet.
+  virtual bool varies(const glslang::TIntermTyped& /*node*/) const { return false; }
+  // `text` of an operand, as it has to be where the others vary.
+  virtual Text widened(const glslang::TIntermTyped& /*node*/, Text text) const { return text; }
+  // The same for an argument of a function with overloads: there C++ has to see the very type.
+  virtual Text packed(const glslang::TIntermTyped& /*node*/, Text text) const { return text; }
+  virtual Text logical(const glslang::TIntermBinary& node);
+  virtual Text assignment(const glslang::TIntermBinary& node, bool wants_value);
+  virtual Text increment(const glslang::TIntermUnary& node, bool wants_value);
+  virtual Text selection(const glslang::TIntermSelection& node);
+  virtual Text constructor(const glslang::TIntermAggregate& node);
+  virtual Text builtin_call(const glslang::TIntermAggregate& node);
+  virtual Text call(const glslang::TIntermAggregate& node, bool wants_value);
+
   Text expression(const glslang::TIntermTyped& node);
   Text symbol(const glslang::TIntermSymbol& node);
   Text binary(const glslang::TIntermBinary& node);
@@ -55,26 +74,21 @@ class CppExpressions {
                             const glslang::TIntermTyped& right) const;
   Text index(const glslang::TIntermBinary& node);
   Text component(const Swizzle& swizzle);
-  Text assignment(const glslang::TIntermBinary& node, bool wants_value);
-  Text increment(const glslang::TIntermUnary& node, bool wants_value);
   Text unary(const glslang::TIntermUnary& node);
   Text conversion(const glslang::TIntermTyped& node, const glslang::TIntermTyped& operand);
   Text aggregate(const glslang::TIntermAggregate& node, bool wants_value);
-  Text constructor(const glslang::TIntermAggregate& node);
-  Text builtin_call(const glslang::TIntermAggregate& node);
   // A built-in that Mesa computes in another way because of its constant arguments; no text if it doesn't.
   Text special_case(const glslang::TIntermAggregate& node);
-  Text call(const glslang::TIntermAggregate& node, bool wants_value);
-  Text selection(const glslang::TIntermSelection& node);
   Text comma(const glslang::TIntermAggregate& node, bool wants_value);
 
   static Swizzle swizzle_of(const glslang::TIntermTyped& node);
   bool can_pass_by_reference(const glslang::TIntermAggregate& call, std::size_t argument);
   // Evaluates operands from left to right, each into a temporary where C++ could choose another order.
-  std::vector<Text> in_order(const std::vector<const glslang::TIntermTyped*>& operands);
+  // `wide`: among operands that vary.
+  std::vector<Text> in_order(const std::vector<const glslang::TIntermTyped*>& operands, bool wide = false);
   Text temporary(const glslang::TIntermTyped& node, const std::string& text);
-  std::string arguments(const glslang::TIntermSequence& sequence);
-  std::string arguments(const std::vector<const glslang::TIntermTyped*>& operands);
+  std::string arguments(const glslang::TIntermSequence& sequence, bool wide = false);
+  std::string arguments(const std::vector<const glslang::TIntermTyped*>& operands, bool wide = false);
   // An expression with its prelude, if there is any, folded into a lambda.
   Text enclosed(const glslang::TIntermTyped& node, bool wants_value);
   // What reads and what writes an l-value: `v.xz()` and `swizzle<0, 2>(v)`, or twice the same. `bind`: find

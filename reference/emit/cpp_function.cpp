@@ -38,10 +38,15 @@ bool is_plain_value(const TType& type) {
 }  // namespace
 
 CppFunction::CppFunction(CppContext& context, const Function& function)
+    : CppFunction(context, function,
+                  [&](NameScope& names) { return std::make_unique<CppExpressions>(context, names); }) {}
+
+CppFunction::CppFunction(CppContext& context, const Function& function,
+                         const std::function<std::unique_ptr<CppExpressions>(NameScope&)>& make_expressions)
     : context_(context),
       function_(function),
       placement_(context.program(), function),
-      expressions_(context, names_) {
+      expressions_(make_expressions(names_)) {
   // A local variable must not hide what this function needs.
   for (const std::string& name : function.calls)
     names_.reserve(context.function(name.substr(0, name.find('('))));
@@ -56,16 +61,18 @@ CppFunction::CppFunction(CppContext& context, const Function& function)
 
 std::string CppFunction::take_name(const TIntermSymbol& symbol) {
   const std::string name = names_.take(cpp_name(symbol.getName().c_str()));
-  expressions_.name_local(symbol.getId(), name);
+  expressions_->name_local(symbol.getId(), name);
   return name;
 }
 
 std::string CppFunction::signature() {
-  std::string text =
-      context_.type(function_.definition->getType()) + " " + context_.function(function_.name) + "(";
+  const std::string first = first_parameter();
+  std::string text = result_type() + " " + context_.function(function_.name) + "(" + first;
   for (std::size_t i = 0; i < function_.parameters.size(); ++i) {
     const Parameter& parameter = function_.parameters[i];
-    text += (i > 0 ? ", " : "") + context_.type(parameter.symbol->getType()) + (parameter.is_out ? "&" : "");
+    text += (i > 0 || !first.empty() ? ", " : "") +
+            context_.type(parameter.symbol->getType(), varies(*parameter.symbol)) +
+            (parameter.is_out ? "&" : "");
     if (!parameter_names_[i].empty()) text += ' ' + parameter_names_[i];
   }
   return text + ")";
@@ -77,14 +84,30 @@ std::vector<CppLine> CppFunction::lines() {
   ++depth_;
   if (context_.options().checks) line("const Caller__ caller__(*this);");
   reset_out_parameters();
+  begin();
   if (function_.body != nullptr) block(*function_.body);
-  const TIntermSequence* statements = function_.body != nullptr ? &function_.body->getSequence() : nullptr;
-  const bool returns = statements != nullptr && !statements->empty() && statements->back() != nullptr &&
-                       statements->back()->getAsBranchNode() != nullptr;
-  if (function_.definition->getBasicType() != EbtVoid && !returns) line("return {};");
+  end();
   --depth_;
   line("}");
   return std::move(lines_);
+}
+
+std::string CppFunction::result_type() const {
+  return context_.type(function_.definition->getType());
+}
+
+bool CppFunction::ends_with_jump() const {
+  const TIntermSequence* statements = function_.body != nullptr ? &function_.body->getSequence() : nullptr;
+  return statements != nullptr && !statements->empty() && statements->back() != nullptr &&
+         statements->back()->getAsBranchNode() != nullptr;
+}
+
+void CppFunction::end() {
+  if (function_.definition->getBasicType() != EbtVoid && !ends_with_jump()) line("return {};");
+}
+
+void CppFunction::reset_out_parameter(const std::string& name) {
+  line("unwritten(" + name + ");");
 }
 
 // What a function leaves unwritten is undefined in GLSL; it must not be what the caller's variable held.
@@ -104,7 +127,7 @@ void CppFunction::reset_out_parameters() {
     if (written != nullptr && written->getId() == id &&
         context_.program().effects(*assignment->getRight()).reads.count(id) == 0)
       continue;
-    line("unwritten(" + parameter_names_[i] + ");");
+    reset_out_parameter(parameter_names_[i]);
   }
 }
 
@@ -117,7 +140,7 @@ void CppFunction::line(const std::string& text) {
 }
 
 void CppFunction::prelude() {
-  for (const std::string& text : expressions_.take_prelude()) line(text);
+  for (const std::string& text : expressions_->take_prelude()) line(text);
 }
 
 std::string CppFunction::mark() const {
@@ -133,8 +156,8 @@ void CppFunction::watch(const TIntermTyped& left) {
   if (!context_.options().checks || !is_plain_value(left.getType()) ||
       context_.program().effects(left).writes_any())
     return;
-  const std::string text = expressions_.value(left);
-  if (expressions_.take_prelude().empty()) watch(left.getType(), text);
+  const std::string text = expressions_->value(left);
+  if (expressions_->take_prelude().empty()) watch(left.getType(), text);
 }
 
 bool CppFunction::is_pending(const TIntermSymbol& symbol) const {
@@ -145,7 +168,8 @@ bool CppFunction::is_pending(const TIntermSymbol& symbol) const {
 void CppFunction::declare(const TIntermSymbol& symbol) {
   const std::string name = take_name(symbol);
   block_names_.push_back(name);
-  line(context_.type(symbol.getType()) + " " + name + (context_.options().initialise_locals ? "{};" : ";"));
+  line(context_.type(symbol.getType(), varies(symbol)) + " " + name +
+       (context_.options().initialise_locals ? "{};" : ";"));
 }
 
 // Declares what `block` declares before statement `index`, but leaves to the statement what its assignment
@@ -190,6 +214,7 @@ void CppFunction::block(const Block& block) {
     } else {
       statement(statements[i]);
     }
+    after(*statements[i]);
   }
   for (const std::string& name : block_names_) names_.give_back(name);
   block_names_ = outer;
@@ -199,19 +224,13 @@ void CppFunction::scoped(const TIntermNode* node) {
   ++depth_;
   if (node != nullptr) {
     const TIntermAggregate* sequence = node->getAsAggregate();
-    if (sequence != nullptr && sequence->getOp() == EOpSequence && !is_for_loop(*sequence))
+    if (sequence != nullptr && sequence->getOp() == EOpSequence &&
+        !is_for_loop(context_.program().tree(), *sequence))
       block(*sequence);
     else
       statement(node);
   }
   --depth_;
-}
-
-// glslang wraps a for loop and its initialiser into a sequence of their own.
-bool CppFunction::is_for_loop(const Block& block) const {
-  const TIntermSequence& parts = block.getSequence();
-  return !parts.empty() && parts.back() != nullptr && parts.back()->getAsLoopNode() != nullptr &&
-         context_.program().tree().token_text(*parts.back()) == "for";
 }
 
 void CppFunction::statement(const TIntermNode* node) {
@@ -228,7 +247,7 @@ void CppFunction::statement(const TIntermNode* node) {
   if (const TIntermBranch* jump = node->getAsBranchNode()) return branch(*jump);
   const TIntermAggregate* sequence = node->getAsAggregate();
   if (sequence != nullptr && sequence->getOp() == EOpSequence) {
-    if (is_for_loop(*sequence)) return for_loop(*sequence);
+    if (is_for_loop(context_.program().tree(), *sequence)) return for_loop(*sequence);
     line("{");
     ++depth_;
     block(*sequence);
@@ -245,7 +264,7 @@ void CppFunction::expression_statement(const TIntermTyped& node) {
     const TIntermSymbol* left = assignment->getLeft()->getAsSymbolNode();
     if (left != nullptr && is_pending(*left)) return initialise(*left, *assignment->getRight());
   }
-  const std::string text = expressions_.statement(node);
+  const std::string text = expressions_->statement(node);
   prelude();
   if (!text.empty()) line(text + ";");
   if (const TIntermBinary* assignment = node.getAsBinaryNode();
@@ -255,18 +274,18 @@ void CppFunction::expression_statement(const TIntermTyped& node) {
 
 void CppFunction::initialise(const TIntermSymbol& symbol, const TIntermTyped& value) {
   at(symbol);
-  const std::string text = expressions_.value(value);
+  const std::string text = expressions_->value(value, varies(symbol));
   prelude();
   const std::string name = take_name(symbol);
   block_names_.push_back(name);
   pending_.erase(std::find_if(pending_.begin(), pending_.end(),
                               [&](const TIntermSymbol* other) { return other->getId() == symbol.getId(); }));
-  line(context_.type(symbol.getType()) + " " + name + " = " + text + ";");
+  line(context_.type(symbol.getType(), varies(symbol)) + " " + name + " = " + text + ";");
   watch(symbol.getType(), name);
 }
 
 void CppFunction::branch(const TIntermBranch& node) {
-  const auto label_value = [&] { return expressions_.value(*node.getExpression()); };
+  const auto label_value = [&] { return expressions_->value(*node.getExpression()); };
   switch (node.getFlowOp()) {
     case EOpKill:
       return line("stop_invocation();");
@@ -282,7 +301,7 @@ void CppFunction::branch(const TIntermBranch& node) {
       break;
   }
   if (node.getExpression() == nullptr) return line("return;");
-  std::string text = expressions_.value(*node.getExpression());
+  std::string text = expressions_->value(*node.getExpression());
   prelude();
   const TType& type = node.getExpression()->getType();
   if (context_.options().checks && is_plain_value(type))
@@ -291,7 +310,7 @@ void CppFunction::branch(const TIntermBranch& node) {
 }
 
 void CppFunction::selection(const TIntermSelection& node) {
-  const std::string condition = expressions_.value(*node.getCondition());
+  const std::string condition = expressions_->value(*node.getCondition());
   prelude();
   line("if (" + condition + ") {");
   scoped(node.getTrueBlock());
@@ -303,7 +322,7 @@ void CppFunction::selection(const TIntermSelection& node) {
 }
 
 void CppFunction::switch_statement(const TIntermSwitch& node) {
-  const std::string value = expressions_.value(*node.getCondition()->getAsTyped());
+  const std::string value = expressions_->value(*node.getCondition()->getAsTyped());
   prelude();
   line("switch (" + value + ") {");
   ++depth_;
@@ -328,13 +347,8 @@ void CppFunction::switch_statement(const TIntermSwitch& node) {
   line("}");
 }
 
-void CppFunction::for_loop(const Block& wrapper) {
-  const std::vector<std::string> outer = std::exchange(block_names_, {});
+void CppFunction::declare_loop_variables(const Block& wrapper) {
   const TIntermSequence& parts = wrapper.getSequence();
-  const SourceLine start = source_;
-  line("{");
-  ++depth_;
-  const std::size_t first_line = lines_.size();
   for (int i = 0; i + 1 < static_cast<int>(parts.size()); ++i) {
     if (parts[i] == nullptr) continue;
     declare(wrapper, i);
@@ -345,6 +359,16 @@ void CppFunction::for_loop(const Block& wrapper) {
     }
   }
   declare(wrapper, static_cast<int>(parts.size()) - 1);
+}
+
+void CppFunction::for_loop(const Block& wrapper) {
+  const std::vector<std::string> outer = std::exchange(block_names_, {});
+  const TIntermSequence& parts = wrapper.getSequence();
+  const SourceLine start = source_;
+  line("{");
+  ++depth_;
+  const std::size_t first_line = lines_.size();
+  declare_loop_variables(wrapper);
   const TIntermLoop& repeated = *parts.back()->getAsLoopNode();
   // What stands in front of the loop becomes its initialiser if C++ has room for it; the rest needs the
   // braces.
@@ -368,7 +392,7 @@ void CppFunction::for_loop(const Block& wrapper) {
 }
 
 void CppFunction::loop(const TIntermLoop& node, const std::string& initialiser) {
-  std::string test = node.getTest() != nullptr ? expressions_.self_contained(*node.getTest()) : "";
+  std::string test = node.getTest() != nullptr ? expressions_->self_contained(*node.getTest()) : "";
   if (const std::string place = mark(); !place.empty() && !test.empty())
     test = "(" + place + ", " + test + ")";
   const auto begin_round = [&] {
@@ -387,7 +411,7 @@ void CppFunction::loop(const TIntermLoop& node, const std::string& initialiser) 
   const bool is_for = context_.program().tree().token_text(node) == "for";
   if (is_for) {
     const std::string terminal =
-        node.getTerminal() != nullptr ? expressions_.self_contained_statement(*node.getTerminal()) : "";
+        node.getTerminal() != nullptr ? expressions_->self_contained_statement(*node.getTerminal()) : "";
     line("for (" + initialiser + ";" + (test.empty() ? "" : " " + test) + ";" +
          (terminal.empty() ? "" : " " + terminal) + ") {");
   } else {

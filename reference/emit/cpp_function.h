@@ -1,6 +1,8 @@
 // GLSL functions as C++ functions.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,28 +22,47 @@ struct CppLine {
 class CppFunction {
  public:
   CppFunction(CppContext& context, const Function& function);
+  virtual ~CppFunction() = default;
+  CppFunction(const CppFunction&) = delete;
+  CppFunction& operator=(const CppFunction&) = delete;
 
   // `vec3 shade(const Ray& ray, Float t)`
   std::string signature();
   std::vector<CppLine> lines();
 
- private:
+ protected:
+  CppFunction(CppContext& context, const Function& function,
+              const std::function<std::unique_ptr<CppExpressions>(NameScope&)>& make_expressions);
+
+  // What packets (packet_function.h) say in another way.
+  // Whether a variable may differ between the pixels of a packet.
+  virtual bool varies(const glslang::TIntermSymbol& /*symbol*/) const { return false; }
+  virtual std::string result_type() const;
+  virtual std::string first_parameter() const { return {}; }
+  virtual void begin() {}
+  virtual void end();
+  virtual void branch(const glslang::TIntermBranch& node);
+  virtual void selection(const glslang::TIntermSelection& node);
+  virtual void switch_statement(const glslang::TIntermSwitch& node);
+  virtual void for_loop(const Block& wrapper);
+  virtual void loop(const glslang::TIntermLoop& node, const std::string& initialiser);
+  virtual void reset_out_parameter(const std::string& name);
+  // Behind each statement of a block.
+  virtual void after(const TIntermNode& /*statement*/) {}
+
   void block(const Block& block);
   void scoped(const TIntermNode* node);
   void statement(const TIntermNode* node);
   void expression_statement(const glslang::TIntermTyped& node);
   void initialise(const glslang::TIntermSymbol& symbol, const glslang::TIntermTyped& value);
-  void branch(const glslang::TIntermBranch& node);
-  void selection(const glslang::TIntermSelection& node);
-  void switch_statement(const glslang::TIntermSwitch& node);
-  void loop(const glslang::TIntermLoop& node, const std::string& initialiser);
-  bool is_for_loop(const Block& block) const;
-  void for_loop(const Block& wrapper);
+  // What stands in front of a for loop.
+  void declare_loop_variables(const Block& wrapper);
   void declare(const Block& block, int index);
   void declare(const glslang::TIntermSymbol& symbol);
   std::string take_name(const glslang::TIntermSymbol& symbol);
   bool is_pending(const glslang::TIntermSymbol& symbol) const;
   void reset_out_parameters();
+  bool ends_with_jump() const;
   void at(const TIntermNode& node);
   void line(const std::string& text);
   void prelude();
@@ -54,7 +75,7 @@ class CppFunction {
   const Function& function_;
   Placement placement_;
   NameScope names_;
-  CppExpressions expressions_;
+  std::unique_ptr<CppExpressions> expressions_;
   std::vector<std::string> parameter_names_;
   std::vector<const glslang::TIntermSymbol*> pending_;  // to be declared by their first assignment
   std::vector<std::string> block_names_;                // to give back at the end of the block

@@ -35,7 +35,7 @@ CppExpressions::Text CppExpressions::special_case(const TIntermAggregate& node) 
   const auto call = [&](const std::string& name, const std::vector<TIntermNode*>& operands) {
     std::vector<const TIntermTyped*> typed;
     for (const TIntermNode* operand : operands) typed.push_back(operand->getAsTyped());
-    return Text{name + "(" + arguments(typed) + ")", Binding::postfix};
+    return Text{name + "(" + arguments(typed, varies(node)) + ")", Binding::postfix};
   };
   switch (node.getOp()) {
     case EOpMix: {

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <memory>
+#include <optional>
 
 #include "host/base/error.h"
 #include "reference/emit/cpp_context.h"
 #include "reference/emit/cpp_function.h"
+#include "reference/emit/packet_function.h"
 
 namespace shadertwin {
 
@@ -109,20 +112,29 @@ class CppModule {
   }
 
   std::string write() {
+    const bool packets = context_.options().packets;
+    std::optional<Uniformity> uniformity;
+    if (packets) uniformity.emplace(program_);
     std::vector<CppLine> members;
     for (const Function& function : program_.functions()) {
-      for (CppLine& line : CppFunction(context_, function).lines()) {
+      const std::unique_ptr<CppFunction> writer =
+          packets ? std::make_unique<PacketFunction>(context_, function, *uniformity)
+                  : std::make_unique<CppFunction>(context_, function);
+      for (CppLine& line : writer->lines()) {
         ++line.depth;
         members.push_back(std::move(line));
       }
       members.push_back({});
     }
-    const std::vector<std::string> initialisers = initialiser_lines();
+    const std::vector<std::string> initialisers =
+        packets ? packet_initialiser_lines(*uniformity) : initialiser_lines();
 
-    text_.add("#include \"reference/twin/invocation.h\"");
+    const std::string space = packets ? "shadertwin::glsl::packet" : "shadertwin::glsl";
+    text_.add(packets ? "#include \"reference/twin/packet_invocation.h\""
+                      : "#include \"reference/twin/invocation.h\"");
     undefine_macros();
     text_.add("");
-    text_.add("namespace shadertwin::glsl {");
+    text_.add("namespace " + space + " {");
     text_.add("namespace {");
     text_.add("");
     structs();
@@ -130,7 +142,7 @@ class CppModule {
     if (!context_.hoisted().empty()) text_.add("");
     text_.add("struct Shader : Invocation {");
     variables();
-    text_.add("  void initialise() {");
+    text_.add(packets ? "  void initialise(Bool " + initial_mask_ + ") {" : "  void initialise() {");
     for (const std::string& line : initialisers) text_.add("    " + line);
     text_.add("  }");
     bindings();
@@ -139,9 +151,9 @@ class CppModule {
     text_.add("};");
     text_.add("");
     text_.add("}  // namespace");
-    text_.add("}  // namespace shadertwin::glsl");
+    text_.add("}  // namespace " + space);
     text_.add("");
-    text_.add("SHADERTWIN_EXPORT(" + output() + ")");
+    text_.add((packets ? "SHADERTWIN_EXPORT_PACKETS(" : "SHADERTWIN_EXPORT(") + output() + ")");
     return text_.take();
   }
 
@@ -161,12 +173,30 @@ class CppModule {
       text_.add("struct " + entry.name + " {");
       const TTypeList& members = *entry.type->getStruct();
       for (std::size_t i = 0; i < members.size(); ++i)
-        text_.add("  " + context_.type(*members[i].type) + " " +
+        text_.add("  " + context_.type(*members[i].type, true) + " " +
                   context_.field(*entry.type, static_cast<int>(i)) + ";");
-      text_.add("  bool operator==(const " + entry.name + "&) const = default;");
+      if (context_.options().packets)
+        packet_operations(entry);
+      else
+        text_.add("  bool operator==(const " + entry.name + "&) const = default;");
       text_.add("};");
       text_.add("");
     }
+  }
+
+  // Masked assignment and equality, member by member.
+  void packet_operations(const StructTable::Entry& entry) {
+    std::string sets;
+    std::string equals = "Bool(true)";
+    for (std::size_t i = 0; i < entry.type->getStruct()->size(); ++i) {
+      const std::string field = context_.field(*entry.type, static_cast<int>(i));
+      sets += " set__(m, to." + field + ", from." + field + ");";
+      equals += " && same__(a." + field + ", b." + field + ")";
+    }
+    const std::string name = entry.name;
+    text_.add("  friend void set__(Bool m, " + name + "& to, const " + name + "& from) {" + sets + " }");
+    text_.add("  friend Bool same__(const " + name + "& a, const " + name + "& b) { return " + equals +
+              "; }");
   }
 
   bool is_unused_uniform(const TIntermSymbol& symbol) const {
@@ -179,7 +209,8 @@ class CppModule {
   void variables() {
     for (const TIntermSymbol* symbol : program_.globals()) {
       if (symbol->getQualifier().isConstant() || is_unused_uniform(*symbol)) continue;
-      text_.add("  " + context_.type(symbol->getType()) + " " + context_.global(*symbol) + "{};");
+      const bool varying = symbol->getQualifier().storage != EvqUniform;
+      text_.add("  " + context_.type(symbol->getType(), varying) + " " + context_.global(*symbol) + "{};");
     }
     text_.add("");
   }
@@ -212,23 +243,36 @@ class CppModule {
     return lines;
   }
 
+  std::vector<std::string> packet_initialiser_lines(const Uniformity& uniformity) {
+    NameScope names;
+    PacketExpressions expressions(context_, names, uniformity);
+    for (const TIntermSymbol* symbol : program_.globals()) names.reserve(context_.global(*symbol));
+    expressions.masks().push_back(names.take("active"));
+    initial_mask_ = expressions.mask();
+    return initialiser_lines(expressions, initial_mask_ + ", ");
+  }
+
   std::vector<std::string> initialiser_lines() {
-    std::vector<std::string> lines;
-    std::set<SymbolId> written;
     NameScope names;
     CppExpressions expressions(context_, names);
+    return initialiser_lines(expressions, "");
+  }
+
+  std::vector<std::string> initialiser_lines(CppExpressions& expressions, const std::string& mask) {
+    std::vector<std::string> lines;
+    std::set<SymbolId> written;
     for (const TIntermBinary* initialiser : program_.initialisers()) {
       const TIntermSymbol* symbol = initialiser->getLeft()->getAsSymbolNode();
       if (symbol != nullptr) written.insert(symbol->getId());
       const std::string text = expressions.statement(*initialiser);
       for (const std::string& line : expressions.take_prelude()) lines.push_back(line);
-      lines.push_back(text + ";");
+      if (!text.empty()) lines.push_back(text + ";");
     }
     std::vector<std::string> unwritten;
     for (const TIntermSymbol* symbol : program_.globals()) {
       const TStorageQualifier storage = symbol->getQualifier().storage;
       if (written.count(symbol->getId()) == 0 && (storage == EvqGlobal || storage == EvqVaryingOut))
-        unwritten.push_back("unwritten(" + context_.global(*symbol) + ");");
+        unwritten.push_back("unwritten(" + mask + context_.global(*symbol) + ");");
     }
     lines.insert(lines.begin(), unwritten.begin(), unwritten.end());
     return lines;
@@ -266,6 +310,7 @@ class CppModule {
   const Program& program_;
   CppContext context_;
   CppText text_;
+  std::string initial_mask_;  // the name of the mask under which packets initialise globals
 };
 
 }  // namespace

@@ -11,12 +11,13 @@ struct CppOptions {
   bool double_precision = false;   // constants are folded and written as double
   bool loop_guards = false;        // every loop asks whether it has to stop
   bool checks = false;             // tells twin::Checks of its places, values and rounds
+  bool packets = false;            // eight pixels run side by side, against twin/packet_invocation.h
   bool initialise_locals = false;  // variables start at zero without the help of a compiler's flag
 };
 
-// The whole translation unit for a pass, to be compiled against reference/twin/invocation.h, for
-// double_precision with -DSHADERTWIN_DOUBLE. #line directives name the user's own files. Throws Error(shader)
-// with lines `file:line: error: text`.
+// The whole translation unit for a pass, to be compiled against reference/twin/invocation.h or, for
+// packets, packet_invocation.h; for double_precision with -DSHADERTWIN_DOUBLE. #line directives name the
+// user's own files. Throws Error(shader) with lines `file:line: error: text`.
 std::string emit_cpp(const Project& project, const Pass& pass, const CppOptions& options = {});
 
 // Changes with the emitter: what it made earlier may differ from what it would make now.

@@ -35,11 +35,11 @@ const std::set<std::string>& library_words() {
       "linux", "major", "makedev", "math_errhandling", "minor", "offsetof", "setjmp", "sigsetjmp", "stderr",
       "stdin", "stdout", "unix",
       // the twin's library
-      "Float", "mix_strict", "Invocation", "Lod", "Quad", "Shader", "Bind", "array", "at", "bind",
-      "bind_uniforms", "construct", "divide", "emit", "f32", "f64", "glm", "glsl", "implicit_lod",
-      "initialise", "int32_t", "loop_guard", "make", "modulo", "needs_lod", "not_", "report", "shadertwin",
-      "shift_left", "shift_right", "size_t", "std", "stop_invocation", "swizzle", "uint", "uint32_t",
-      "unwritten"};
+      "Bool", "Float", "Int", "Lane", "Lods", "Packet", "Uint", "Varying", "packet", "mix_strict",
+      "Invocation", "Lod", "Quad", "Shader", "Bind", "array", "at", "bind", "bind_uniforms", "construct",
+      "divide", "emit", "f32", "f64", "glm", "glsl", "implicit_lod", "initialise", "int32_t", "loop_guard",
+      "make", "modulo", "needs_lod", "not_", "report", "shadertwin", "shift_left", "shift_right", "size_t",
+      "std", "stop_invocation", "swizzle", "uint", "uint32_t", "unwritten"};
   return words;
 }
 

@@ -136,6 +136,12 @@ bool is_declaration_list(const SyntaxTree& tree, const TIntermNode& node) {
   });
 }
 
+bool is_for_loop(const SyntaxTree& tree, const Block& block) {
+  const TIntermSequence& parts = block.getSequence();
+  return !parts.empty() && parts.back() != nullptr && parts.back()->getAsLoopNode() != nullptr &&
+         tree.token_text(*parts.back()) == "for";
+}
+
 Placement::Placement(const Program& program, const Function& function) {
   if (function.body == nullptr) return;
   std::set<SymbolId> parameters;

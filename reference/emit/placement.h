@@ -28,4 +28,7 @@ class Placement {
 // whose names belong to the block around it.
 bool is_declaration_list(const SyntaxTree& tree, const TIntermNode& node);
 
+// Whether a sequence is the wrapper around a for loop and its initialiser.
+bool is_for_loop(const SyntaxTree& tree, const Block& block);
+
 }  // namespace shadertwin::emit

@@ -1,6 +1,7 @@
-// Float arithmetic for the built-in functions: one number at a time, or four side by side where the processor
+// Float arithmetic for the built-in functions: one number at a time; four side by side where the processor
 // has registers of four (a vec3's sines then cost one sine's time, and a lone number's integer steps stay in
-// its register). The functions are written once, as templates over F: float or float4.
+// its register); or eight, one of each of eight pixels. The functions are written once, as templates over F:
+// float, float4 or float8.
 #pragma once
 
 #include <bit>
@@ -119,6 +120,81 @@ SHADERTWIN_INLINE T from_lanes(float4 r) {
   }
 }
 #endif
+
+// --- Eight numbers ----------------------------------------------------------
+
+// One of each of eight pixels: what packet.h is made of. Without AVX the compiler makes two registers of it.
+using float8 = float __attribute__((vector_size(32)));
+using int8 = int __attribute__((vector_size(32)));
+using uint8 = uint __attribute__((vector_size(32)));
+
+template <>
+struct IntegersOf<float8> {
+  using Signed = int8;
+  using Unsigned = uint8;
+};
+
+template <class Result, class Function>
+SHADERTWIN_INLINE Result each_of_eight(const Function& function) {
+  Result result{};
+  for (int i = 0; i < 8; ++i) result[i] = function(i);
+  return result;
+}
+
+SHADERTWIN_INLINE float8 multiply_add(float8 a, float8 b, float8 c) {
+#ifdef __FMA__
+  return _mm256_fmadd_ps(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
+SHADERTWIN_INLINE float8 root(float8 x) {
+#ifdef __AVX__
+  return _mm256_sqrt_ps(x);
+#else
+  return each_of_eight<float8>([&](int i) { return root(x[i]); });
+#endif
+}
+// `condition` is all ones or all zeros in each place.
+SHADERTWIN_INLINE float8 select(int8 condition, float8 a, float8 b) {
+#ifdef __AVX__
+  return _mm256_blendv_ps(b, a, reinterpret_cast<__m256>(condition));
+#else
+  const int8 bits = (std::bit_cast<int8>(a) & condition) | (std::bit_cast<int8>(b) & ~condition);
+  return std::bit_cast<float8>(bits);
+#endif
+}
+SHADERTWIN_INLINE float8 round_down(float8 x) {
+#ifdef __AVX__
+  return _mm256_floor_ps(x);
+#else
+  return each_of_eight<float8>([&](int i) { return round_down(x[i]); });
+#endif
+}
+SHADERTWIN_INLINE int8 to_int(float8 x) {
+#ifdef __AVX__
+  return reinterpret_cast<int8>(_mm256_cvttps_epi32(x));
+#else
+  return each_of_eight<int8>([&](int i) { return to_int(x[i]); });
+#endif
+}
+SHADERTWIN_INLINE float8 to_float(int8 x) {
+  return __builtin_convertvector(x, float8);
+}
+SHADERTWIN_INLINE float8 first_if_less(float8 a, float8 b) {
+#ifdef __AVX__
+  return _mm256_min_ps(a, b);
+#else
+  return select(a < b, a, b);
+#endif
+}
+SHADERTWIN_INLINE float8 first_if_greater(float8 a, float8 b) {
+#ifdef __AVX__
+  return _mm256_max_ps(a, b);
+#else
+  return select(a > b, a, b);
+#endif
+}
 
 template <class F>
 SHADERTWIN_INLINE F constant(float x) {

@@ -141,8 +141,8 @@ std::vector<std::string> Compiler::arguments(const CompileOptions& options) cons
     list.emplace_back("-enable-trivial-auto-var-init-zero-knowing-it-will-be-removed-from-clang");
   if (options.debug)
     list.insert(list.end(), {"-O0", "-g"});
-  else
-    list.emplace_back("-O2");
+  else  // packets gain from more inlining; one pixel at a time is slower with it
+    list.emplace_back(options.packets ? "-O3" : "-O2");
   list.insert(list.end(), options.extra_arguments.begin(), options.extra_arguments.end());
   return list;
 }
@@ -153,10 +153,11 @@ fs::path Compiler::object_path(const std::string& text, const CompileOptions& op
   return cache_ / (hash_name(key) + ".so");
 }
 
-fs::path Compiler::precompiled_header(const std::vector<std::string>& arguments) const {
+fs::path Compiler::precompiled_header(const std::string& header,
+                                      const std::vector<std::string>& arguments) const {
   if (is_clang()) return {};
   const std::lock_guard lock(header_mutex_);
-  std::string key = identity_;
+  std::string key = identity_ + header;
   for (const std::string& argument : arguments) key += '\n' + argument;
   const fs::path folder = cache_ / ("headers-" + hash_name(key));
   const fs::path stub = folder / "twin.h";
@@ -187,7 +188,9 @@ void Compiler::compile(const std::string& source, const fs::path& object,
     if (!out.flush()) throw Error(ExitStatus::file, text.string() + ": can't be written");
   }
   std::vector<std::string> list = arguments(options);
-  if (const fs::path headers = precompiled_header(list); !headers.empty())
+  const std::string header =
+      options.packets ? "reference/twin/packet_invocation.h" : "reference/twin/invocation.h";
+  if (const fs::path headers = precompiled_header(header, list); !headers.empty())
     list.insert(list.end(), {"-include", headers.string()});
   list.insert(list.end(), {"-o", result.string(), text.string()});
   const ProcessResult run = run_process(program_, list);

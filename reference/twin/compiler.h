@@ -14,6 +14,7 @@ struct CompileOptions {
   bool double_precision = false;
   Uninitialised uninitialised = Uninitialised::zero;
   bool debug = false;                        // -O0 -g, for gdb
+  bool packets = false;                      // the source includes packet_invocation.h
   std::vector<std::string> extra_arguments;  // behind all others
 };
 
@@ -43,9 +44,10 @@ class Compiler {
 
  private:
   std::vector<std::string> arguments(const CompileOptions& options) const;
-  // The headers that every twin includes, compiled in advance for `arguments`: what to `-include`. Empty if
+  // `header`, which twins include, compiled in advance for `arguments`: what to `-include`. Empty if
   // this compiler can't.
-  std::filesystem::path precompiled_header(const std::vector<std::string>& arguments) const;
+  std::filesystem::path precompiled_header(const std::string& header,
+                                           const std::vector<std::string>& arguments) const;
   bool is_clang() const;
 
   std::filesystem::path program_;

@@ -7,9 +7,8 @@
 
 namespace shadertwin::twin {
 
-// Pixels exchange values where the shader asks for a derivative or for a level of detail. Fibres were chosen
-// over emitting four lanes in lock-step because control flow then stays the shader's own, and shaders that
-// need no neighbours pay nothing. An exchange costs about 40 ns a pixel (640x360, eight exchanges a pixel:
+// For twins that run one pixel at a time, in doubles or under check: packets need it not. Pixels exchange values
+// where the shader asks for a derivative or for a level of detail. Fibres leave control flow the shader's own. An exchange costs about 40 ns a pixel (640x360, eight exchanges a pixel:
 // 0.33 us a pixel on one core).
 //
 // Four fibres that live as long as the runner, so that a quad costs switches but no stacks. One runner a

@@ -132,8 +132,14 @@ class TwinPlayerImpl final : public TwinPlayer {
     compile.debug =
         options_.stop_at && &pass == &project_.passes.at(static_cast<std::size_t>(options_.stop_at->pass));
     compile.double_precision = options_.double_precision;
+    compile.packets = runs_packets();
     if (options_.observer != nullptr) compile.extra_arguments = {"-DSHADERTWIN_CHECK", "-O1"};
     return compile;
+  }
+
+  bool runs_packets() const {
+    return options_.packets && !options_.double_precision && options_.observer == nullptr &&
+           !options_.stop_at;
   }
 
   CppOptions emit_options() const {
@@ -143,6 +149,7 @@ class TwinPlayerImpl final : public TwinPlayer {
     emit.checks = options_.observer != nullptr;
     // GCC 12's own flag for it misses components and later rounds of loops.
     emit.initialise_locals = options_.uninitialised == Uninitialised::zero;
+    emit.packets = runs_packets();
     return emit;
   }
 
@@ -185,7 +192,7 @@ class TwinPlayerImpl final : public TwinPlayer {
   static std::string cache_key(const Project& project, const Pass& pass, const CppOptions& emit) {
     std::string key = emit_identity() + std::string(emit.double_precision ? " double" : " float") +
                       (emit.loop_guards ? " guarded" : "") + (emit.checks ? " checked" : "") +
-                      (emit.initialise_locals ? " zeroed" : "");
+                      (emit.initialise_locals ? " zeroed" : "") + (emit.packets ? " packets" : "");
     for (const std::string& file : project.files) key += '\n' + file;  // #line names them
     for (const SourceLine& line : pass.source.lines)
       key += '\n' + std::to_string(line.file) + ':' + std::to_string(line.line);

@@ -38,6 +38,9 @@ class Observer {
 struct TwinOptions {
   bool double_precision = false;
   Uninitialised uninitialised = Uninitialised::zero;
+  // Eight pixels run side by side, to the same bits. Not for doubles, debuggers and observers, which have one
+  // at a time.
+  bool packets = true;
   // For a debugger: that pass is compiled with -O0 -g and drawn by one thread, and shadertwin_debug_stop() is
   // called before the pixel, which is then drawn alone.
   std::optional<Moment> stop_at;

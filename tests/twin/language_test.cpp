@@ -77,6 +77,27 @@ TEST_P(Language, TwinAndLlvmpipeGiveTheSameBits) {
   expect_same_frames(load_project(GetParam()), tolerance(GetParam()));
 }
 
+// One pixel at a time is what check and debug run.
+TEST(Packets, GiveTheBitsOfSinglePixels) {
+  for (const char* name : {"divergence", "derivatives", "implicit_lod", "discards"}) {
+    SCOPED_TRACE(name);
+    const Project project =
+        load_project(fs::path(SHADERTWIN_SOURCE_DIR) / "tests/emit/shaders" / (name + std::string(".glsl")));
+    twin::TwinOptions single;
+    single.packets = false;
+    const auto one = twin::TwinPlayer::create(project, single);
+    const auto packets = twin::TwinPlayer::create(project);
+    Schedule schedule;
+    schedule.width = 17;
+    schedule.height = 9;
+    const Frame frame = FixedClock(schedule, project.dialect).next();
+    one->render(frame);
+    packets->render(frame);
+    const int last = static_cast<int>(project.passes.size()) - 1;
+    expect_same(packets->read(last), one->read(last), 0.0F);
+  }
+}
+
 std::string shader_name(const testing::TestParamInfo<fs::path>& info) {
   return info.param.stem().string();
 }

@@ -1,0 +1,552 @@
+// GLSL's types for eight pixels side by side. A scalar that may differ between the pixels is a packet: Float,
+// Int, Uint or Bool, with one lane a pixel; vectors, matrices, arrays and structures are made of packets.
+// What is the same in all eight stays float, int, uint, bool and uniform::vec3 ..., and becomes a packet by
+// itself where it meets one.
+//
+// Every lane computes what the scalar twin computes, operation by operation: the bits are the same.
+#pragma once
+
+#include <concepts>
+
+#include "reference/glsl/glsl.h"
+
+#ifdef SHADERTWIN_DOUBLE
+#error "packets are of float32"
+#endif
+
+// Names that end in two underscores are no shader's.
+namespace shadertwin::glsl::packet {
+
+constexpr int lanes = 8;
+
+// What is the same for all lanes.
+using glsl::array;
+using glsl::Swizzle;
+using glsl::swizzle;
+namespace uniform {
+using glsl::bvec2, glsl::bvec3, glsl::bvec4;
+using glsl::ivec2, glsl::ivec3, glsl::ivec4;
+using glsl::mat2, glsl::mat2x3, glsl::mat2x4, glsl::mat3, glsl::mat3x2, glsl::mat3x4;
+using glsl::mat4, glsl::mat4x2, glsl::mat4x3;
+using glsl::uvec2, glsl::uvec3, glsl::uvec4;
+using glsl::vec2, glsl::vec3, glsl::vec4;
+}  // namespace uniform
+
+// --- Scalars ----------------------------------------------------------------
+
+// True in some lanes; the mask of those that run.
+struct Bool {
+  using Scalar = bool;
+  detail::int8 v;  // all bits of a lane are set, or none
+
+  Bool() = default;
+  template <std::same_as<bool> B>
+  SHADERTWIN_INLINE Bool(B b) : v(detail::int8{} - static_cast<int>(b)) {}
+  SHADERTWIN_INLINE explicit Bool(detail::int8 lanes) : v(lanes) {}
+
+  SHADERTWIN_INLINE friend Bool operator!(Bool a) { return Bool(~a.v); }
+  SHADERTWIN_INLINE friend Bool operator&&(Bool a, Bool b) { return Bool(a.v & b.v); }
+  SHADERTWIN_INLINE friend Bool operator||(Bool a, Bool b) { return Bool(a.v | b.v); }
+  SHADERTWIN_INLINE friend Bool operator!=(Bool a, Bool b) { return Bool(a.v ^ b.v); }
+  SHADERTWIN_INLINE friend Bool operator==(Bool a, Bool b) { return Bool(~(a.v ^ b.v)); }
+};
+
+template <class T>
+struct VectorOf;
+template <>
+struct VectorOf<float> {
+  using Type = detail::float8;
+};
+template <>
+struct VectorOf<int> {
+  using Type = detail::int8;
+};
+template <>
+struct VectorOf<uint> {
+  using Type = detail::uint8;
+};
+
+template <class T>
+struct Packet {
+  using Scalar = T;
+  using Vector = typename VectorOf<T>::Type;
+  Vector v;
+
+  Packet() = default;
+  template <std::same_as<T> U>
+  SHADERTWIN_INLINE Packet(U x) : v{x, x, x, x, x, x, x, x} {}
+  SHADERTWIN_INLINE explicit Packet(Vector x) : v(x) {}
+
+  SHADERTWIN_INLINE friend Packet operator+(Packet a, Packet b) { return Packet(a.v + b.v); }
+  SHADERTWIN_INLINE friend Packet operator-(Packet a, Packet b) { return Packet(a.v - b.v); }
+  SHADERTWIN_INLINE friend Packet operator*(Packet a, Packet b) { return Packet(a.v * b.v); }
+  SHADERTWIN_INLINE friend Packet operator/(Packet a, Packet b) { return Packet(a.v / b.v); }
+  SHADERTWIN_INLINE friend Packet operator%(Packet a, Packet b) { return Packet(a.v % b.v); }
+  SHADERTWIN_INLINE friend Packet operator&(Packet a, Packet b) { return Packet(a.v & b.v); }
+  SHADERTWIN_INLINE friend Packet operator|(Packet a, Packet b) { return Packet(a.v | b.v); }
+  SHADERTWIN_INLINE friend Packet operator^(Packet a, Packet b) { return Packet(a.v ^ b.v); }
+  SHADERTWIN_INLINE friend Packet operator<<(Packet a, int b) { return Packet(a.v << b); }
+  SHADERTWIN_INLINE friend Packet operator>>(Packet a, int b) { return Packet(a.v >> b); }
+  SHADERTWIN_INLINE friend Packet operator<<(Packet a, uint b) { return a << static_cast<int>(b); }
+  SHADERTWIN_INLINE friend Packet operator>>(Packet a, uint b) { return a >> static_cast<int>(b); }
+  SHADERTWIN_INLINE friend Packet operator-(Packet a) { return Packet(-a.v); }
+  SHADERTWIN_INLINE friend Packet operator+(Packet a) { return a; }
+  SHADERTWIN_INLINE friend Packet operator~(Packet a) { return Packet(~a.v); }
+  SHADERTWIN_INLINE friend Bool operator<(Packet a, Packet b) { return Bool(a.v < b.v); }
+  SHADERTWIN_INLINE friend Bool operator>(Packet a, Packet b) { return Bool(a.v > b.v); }
+  SHADERTWIN_INLINE friend Bool operator<=(Packet a, Packet b) { return Bool(a.v <= b.v); }
+  SHADERTWIN_INLINE friend Bool operator>=(Packet a, Packet b) { return Bool(a.v >= b.v); }
+  SHADERTWIN_INLINE friend Bool operator==(Packet a, Packet b) { return Bool(a.v == b.v); }
+  SHADERTWIN_INLINE friend Bool operator!=(Packet a, Packet b) { return Bool(a.v != b.v); }
+
+  SHADERTWIN_INLINE Packet& operator+=(Packet b) { return *this = *this + b; }
+  SHADERTWIN_INLINE Packet& operator-=(Packet b) { return *this = *this - b; }
+  SHADERTWIN_INLINE Packet& operator*=(Packet b) { return *this = *this * b; }
+  SHADERTWIN_INLINE Packet& operator/=(Packet b) { return *this = *this / b; }
+  SHADERTWIN_INLINE Packet& operator%=(Packet b) { return *this = *this % b; }
+  SHADERTWIN_INLINE Packet& operator&=(Packet b) { return *this = *this & b; }
+  SHADERTWIN_INLINE Packet& operator|=(Packet b) { return *this = *this | b; }
+  SHADERTWIN_INLINE Packet& operator^=(Packet b) { return *this = *this ^ b; }
+  SHADERTWIN_INLINE Packet& operator++() { return *this += Packet(T(1)); }
+  SHADERTWIN_INLINE Packet& operator--() { return *this -= Packet(T(1)); }
+};
+
+using Float = Packet<float>;
+using Int = Packet<int>;
+using Uint = Packet<uint>;
+
+using vec2 = glm::vec<2, Float>;
+using vec3 = glm::vec<3, Float>;
+using vec4 = glm::vec<4, Float>;
+using ivec2 = glm::vec<2, Int>;
+using ivec3 = glm::vec<3, Int>;
+using ivec4 = glm::vec<4, Int>;
+using uvec2 = glm::vec<2, Uint>;
+using uvec3 = glm::vec<3, Uint>;
+using uvec4 = glm::vec<4, Uint>;
+using bvec2 = glm::vec<2, Bool>;
+using bvec3 = glm::vec<3, Bool>;
+using bvec4 = glm::vec<4, Bool>;
+using mat2x2 = glm::mat<2, 2, Float>;
+using mat2x3 = glm::mat<2, 3, Float>;
+using mat2x4 = glm::mat<2, 4, Float>;
+using mat3x2 = glm::mat<3, 2, Float>;
+using mat3x3 = glm::mat<3, 3, Float>;
+using mat3x4 = glm::mat<3, 4, Float>;
+using mat4x2 = glm::mat<4, 2, Float>;
+using mat4x3 = glm::mat<4, 3, Float>;
+using mat4x4 = glm::mat<4, 4, Float>;
+using mat2 = mat2x2;
+using mat3 = mat3x3;
+using mat4 = mat4x4;
+
+// --- Masks ------------------------------------------------------------------
+
+SHADERTWIN_INLINE unsigned bits_of__(Bool mask) {
+#ifdef __AVX__
+  return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask.v)));
+#else
+  unsigned bits = 0;
+  for (int i = 0; i < lanes; ++i) bits |= static_cast<unsigned>(mask.v[i] & 1) << i;
+  return bits;
+#endif
+}
+SHADERTWIN_INLINE bool some__(Bool mask) {
+  return bits_of__(mask) != 0;
+}
+SHADERTWIN_INLINE bool none__(Bool mask) {
+  return bits_of__(mask) == 0;
+}
+// The lanes of the first mask leave it and all the others.
+template <class... Masks>
+SHADERTWIN_INLINE void leave__(Bool& mask, Masks&... others) {
+  ((others = others && !mask), ...);
+  mask = Bool(false);
+}
+// Only lanes of `alive` stay.
+template <class... Masks>
+SHADERTWIN_INLINE void keep__(Bool alive, Masks&... masks) {
+  ((masks = masks && alive), ...);
+}
+
+// --- Lanes ------------------------------------------------------------------
+
+// The type of one lane of a value, and the value that has such lanes.
+template <class T>
+struct LaneOf {
+  using Type = T;
+};
+template <>
+struct LaneOf<Bool> {
+  using Type = bool;
+};
+template <class T>
+struct LaneOf<Packet<T>> {
+  using Type = T;
+};
+template <int N, class T>
+struct LaneOf<glm::vec<N, T>> {
+  using Type = glm::vec<N, typename LaneOf<T>::Type>;
+};
+template <int C, int R, class T>
+struct LaneOf<glm::mat<C, R, T>> {
+  using Type = glm::mat<C, R, typename LaneOf<T>::Type>;
+};
+template <class T>
+using Lane = typename LaneOf<T>::Type;
+
+template <class T>
+struct VaryingOf {
+  using Type = T;
+};
+template <>
+struct VaryingOf<bool> {
+  using Type = Bool;
+};
+template <>
+struct VaryingOf<float> {
+  using Type = Float;
+};
+template <>
+struct VaryingOf<int> {
+  using Type = Int;
+};
+template <>
+struct VaryingOf<uint> {
+  using Type = Uint;
+};
+template <int N, class T>
+struct VaryingOf<glm::vec<N, T>> {
+  using Type = glm::vec<N, typename VaryingOf<T>::Type>;
+};
+template <int C, int R, class T>
+struct VaryingOf<glm::mat<C, R, T>> {
+  using Type = glm::mat<C, R, typename VaryingOf<T>::Type>;
+};
+template <class T, int N>
+struct VaryingOf<array<T, N>> {
+  using Type = array<typename VaryingOf<T>::Type, N>;
+};
+template <class T>
+using Varying = typename VaryingOf<T>::Type;
+
+template <class T>
+SHADERTWIN_INLINE Lane<T> lane__(const T& value, int i) {
+  if constexpr (std::is_same_v<Lane<T>, T>) {
+    return value;
+  } else if constexpr (detail::Shape<T>::matrix || detail::Shape<T>::rows > 1) {
+    Lane<T> result;
+    for (int c = 0; c < value.length(); ++c) result[c] = lane__(value[c], i);
+    return result;
+  } else if constexpr (std::is_same_v<T, Bool>) {
+    return value.v[i] != 0;
+  } else {
+    return value.v[i];
+  }
+}
+template <class T>
+SHADERTWIN_INLINE void set_lane__(T& value, int i, const Lane<T>& lane) {
+  if constexpr (detail::Shape<T>::matrix || detail::Shape<T>::rows > 1) {
+    for (int c = 0; c < value.length(); ++c) set_lane__(value[c], i, lane[c]);
+  } else if constexpr (std::is_same_v<T, Bool>) {
+    value.v[i] = -static_cast<int>(lane);
+  } else {
+    value.v[i] = lane;
+  }
+}
+
+// f(i) in each lane i of `mask`, zero in the others.
+template <class F>
+SHADERTWIN_INLINE auto each_lane__(Bool mask, const F& f) {
+  Varying<decltype(f(0))> result{};
+  for (unsigned left = bits_of__(mask); left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
+    set_lane__(result, i, f(i));
+  }
+  return result;
+}
+// The same in all lanes.
+template <class F>
+SHADERTWIN_INLINE auto every_lane__(const F& f) {
+  return each_lane__(Bool(true), f);
+}
+
+// --- Choice and masked assignment -------------------------------------------
+
+SHADERTWIN_INLINE Float select__(Bool c, Float a, Float b) {
+  return Float(detail::select(c.v, a.v, b.v));
+}
+SHADERTWIN_INLINE Int select__(Bool c, Int a, Int b) {
+  return Int(std::bit_cast<detail::int8>(
+      detail::select(c.v, std::bit_cast<detail::float8>(a.v), std::bit_cast<detail::float8>(b.v))));
+}
+SHADERTWIN_INLINE Uint select__(Bool c, Uint a, Uint b) {
+  return Uint(std::bit_cast<detail::uint8>(
+      detail::select(c.v, std::bit_cast<detail::float8>(a.v), std::bit_cast<detail::float8>(b.v))));
+}
+SHADERTWIN_INLINE Bool select__(Bool c, Bool a, Bool b) {
+  return Bool((c.v & a.v) | (~c.v & b.v));
+}
+template <int N, class T>
+SHADERTWIN_INLINE glm::vec<N, T> select__(Bool c, const glm::vec<N, T>& a, const glm::vec<N, T>& b) {
+  glm::vec<N, T> result;
+  for (int i = 0; i < N; ++i) result[i] = select__(c, a[i], b[i]);
+  return result;
+}
+template <int C, int R, class T>
+SHADERTWIN_INLINE glm::mat<C, R, T> select__(Bool c, const glm::mat<C, R, T>& a, const glm::mat<C, R, T>& b) {
+  glm::mat<C, R, T> result;
+  for (int i = 0; i < C; ++i) result[i] = select__(c, a[i], b[i]);
+  return result;
+}
+
+// `to = from` in the lanes of the mask. A structure has a set__ of its own.
+template <class T>
+SHADERTWIN_INLINE void set__(Bool mask, T& to, const std::type_identity_t<T>& from) {
+  to = select__(mask, from, to);
+}
+template <class T, int N>
+SHADERTWIN_INLINE void set__(Bool mask, array<T, N>& to, const std::type_identity_t<array<T, N>>& from) {
+  for (int i = 0; i < N; ++i) set__(mask, to.elements[i], from.elements[i]);
+}
+template <class Vector, int... I>
+SHADERTWIN_INLINE void set__(Bool mask, Swizzle<Vector, I...> to,
+                             const typename Swizzle<Vector, I...>::Value& from) {
+  to = select__(mask, from, typename Swizzle<Vector, I...>::Value(to));
+}
+
+// --- Equality of what is no scalar ------------------------------------------
+
+SHADERTWIN_INLINE Bool same__(Bool a, Bool b) {
+  return a == b;
+}
+template <class T>
+SHADERTWIN_INLINE Bool same__(Packet<T> a, Packet<T> b) {
+  return a == b;
+}
+template <int N, class T>
+SHADERTWIN_INLINE Bool same__(const glm::vec<N, T>& a, const glm::vec<N, T>& b) {
+  Bool result = true;
+  for (int i = 0; i < N; ++i) result = result && a[i] == b[i];
+  return result;
+}
+template <int C, int R, class T>
+SHADERTWIN_INLINE Bool same__(const glm::mat<C, R, T>& a, const glm::mat<C, R, T>& b) {
+  Bool result = true;
+  for (int i = 0; i < C; ++i) result = result && same__(a[i], b[i]);
+  return result;
+}
+template <class T, int N>
+Bool same__(const array<T, N>& a, const array<T, N>& b) {
+  Bool result = true;
+  for (int i = 0; i < N; ++i) result = result && same__(a.elements[i], b.elements[i]);
+  return result;
+}
+
+// --- Conversions and constructors -------------------------------------------
+
+namespace implementation {
+
+template <class To, class From>
+SHADERTWIN_INLINE To convert(const From& x) {
+  using Scalar = typename To::Scalar;
+  if constexpr (std::is_same_v<To, From>) {
+    return x;
+  } else if constexpr (std::is_arithmetic_v<From>) {
+    return To(detail::convert<Scalar>(x));
+  } else if constexpr (std::is_same_v<To, Bool>) {
+    return x != From(typename From::Scalar(0));
+  } else if constexpr (std::is_same_v<From, Bool>) {
+    return select__(x, To(Scalar(1)), To(Scalar(0)));
+  } else if constexpr (std::is_same_v<From, Float>) {
+#ifdef __AVX__
+    if constexpr (std::is_same_v<To, Int>)
+      return Int(reinterpret_cast<detail::int8>(_mm256_cvttps_epi32(x.v)));
+#endif
+#if defined(__AVX512VL__) && defined(__AVX512DQ__)
+    if constexpr (std::is_same_v<To, Uint>)
+      return Uint(reinterpret_cast<detail::uint8>(_mm256_cvttps_epu32(x.v)));
+#endif
+    return every_lane__([&](int i) { return detail::convert<Scalar>(x.v[i]); });
+  } else if constexpr (std::is_same_v<To, Float>) {
+    return Float(__builtin_convertvector(x.v, detail::float8));
+  } else {
+    return To(std::bit_cast<typename To::Vector>(x.v));
+  }
+}
+
+template <class Scalar, int I, class First, class... Rest>
+SHADERTWIN_INLINE Scalar flattened(const First& first, const Rest&... rest) {
+  constexpr int size = detail::Shape<First>::columns * detail::Shape<First>::rows;
+  if constexpr (I < size) {
+    return convert<Scalar>(detail::component<I>(first));
+  } else {
+    return flattened<Scalar, I - size>(rest...);
+  }
+}
+
+template <class T, std::size_t... I, class... Arguments>
+SHADERTWIN_INLINE T make_of(std::index_sequence<I...> /*components*/, const Arguments&... arguments) {
+  using Scalar = typename detail::Shape<T>::Scalar;
+  T result;
+  if constexpr (detail::Shape<T>::matrix) {
+    constexpr int rows = detail::Shape<T>::rows;
+    ((result[I / rows][I % rows] = flattened<Scalar, static_cast<int>(I)>(arguments...)), ...);
+  } else {
+    ((result[I] = flattened<Scalar, static_cast<int>(I)>(arguments...)), ...);
+  }
+  return result;
+}
+
+template <class To, class From>
+SHADERTWIN_INLINE To matrix_of(const From& from) {
+  using Scalar = typename detail::Shape<To>::Scalar;
+  constexpr bool is_matrix = detail::Shape<From>::matrix;
+  To result;
+  for (int c = 0; c < detail::Shape<To>::columns; ++c) {
+    for (int r = 0; r < detail::Shape<To>::rows; ++r) {
+      result[c][r] = c == r ? Scalar(1.0F) : Scalar(0.0F);
+      if constexpr (is_matrix) {
+        if (c < detail::Shape<From>::columns && r < detail::Shape<From>::rows)
+          result[c][r] = convert<Scalar>(from[c][r]);
+      } else if (c == r) {
+        result[c][r] = convert<Scalar>(from);
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace implementation
+
+template <class T>
+constexpr bool is_varying = !std::is_same_v<Lane<T>, T>;
+
+// GLSL's constructor, as glsl::make.
+template <class T, class First, class... Rest>
+SHADERTWIN_INLINE T make(const First& first, const Rest&... rest) {
+  if constexpr (!is_varying<T>) {
+    return glsl::make<T>(first, rest...);
+  } else {
+    using To = detail::Shape<T>;
+    using From = detail::Shape<First>;
+    constexpr bool is_one = sizeof...(Rest) == 0;
+    if constexpr (To::rows * To::columns == 1) {
+      return implementation::convert<T>(detail::component<0>(first));
+    } else if constexpr (is_one && To::matrix && (From::matrix || From::rows * From::columns == 1)) {
+      return implementation::matrix_of<T>(first);
+    } else if constexpr (is_one && From::rows * From::columns == 1) {
+      return T(implementation::convert<typename To::Scalar>(first));
+    } else {
+      return implementation::make_of<T>(std::make_index_sequence<To::rows * To::columns>(), first, rest...);
+    }
+  }
+}
+
+// A uniform array as one that may vary.
+template <class T>
+SHADERTWIN_INLINE Varying<T> spread__(const T& value) {
+  if constexpr (requires { value.elements; }) {
+    Varying<T> result;
+    for (int i = 0; i < value.length(); ++i) result.elements[i] = spread__(value.elements[i]);
+    return result;
+  } else if constexpr (detail::Shape<T>::matrix || detail::Shape<T>::rows > 1) {
+    return make<Varying<T>>(value);
+  } else {
+    return Varying<T>(value);
+  }
+}
+
+// --- Elements at an index that varies ---------------------------------------
+
+SHADERTWIN_INLINE Int clamped__(Int index, int size) {
+  const Int last(size - 1);
+  const Int lower = select__(index < last, index, last);
+  return select__(lower > Int(0), lower, Int(0));
+}
+SHADERTWIN_INLINE Int clamped__(Uint index, int size) {
+  const Uint last(static_cast<uint>(size - 1));
+  return Int(std::bit_cast<detail::int8>(select__(index < last, index, last).v));
+}
+
+namespace implementation {
+
+using Word [[gnu::may_alias]] = int;
+using Words [[gnu::may_alias]] = detail::int8;
+
+// 32-bit words at base + offset[i].
+SHADERTWIN_INLINE detail::int8 words_at(const void* base, detail::int8 offset) {
+#ifdef __AVX2__
+  return reinterpret_cast<detail::int8>(
+      _mm256_i32gather_epi32(static_cast<const int*>(base), reinterpret_cast<__m256i>(offset), 4));
+#else
+  return detail::each_of_eight<detail::int8>(
+      [&](int i) { return static_cast<const Word*>(base)[offset[i]]; });
+#endif
+}
+
+constexpr detail::int8 lane_numbers = {0, 1, 2, 3, 4, 5, 6, 7};
+
+// Element index[i] for lane i. Everything is made of 32-bit words: a packet of eight, a uniform scalar of
+// one.
+template <class T, class Result>
+SHADERTWIN_INLINE void gather(const T* elements, Int index, Result& result) {
+  constexpr int words = sizeof(T) / sizeof(Word);
+  constexpr bool of_packets = sizeof(T) == sizeof(Result);
+  const detail::int8 offset = of_packets ? index.v * words + lane_numbers : index.v * words;
+  constexpr int step = of_packets ? lanes : 1;
+  for (std::size_t i = 0; i < sizeof(Result) / sizeof(Words); ++i)
+    reinterpret_cast<Words*>(&result)[i] =
+        words_at(reinterpret_cast<const Word*>(elements) + i * step, offset);
+}
+
+}  // namespace implementation
+
+template <class T, int N, class Index>
+SHADERTWIN_INLINE Varying<T> at(const array<T, N>& a, Packet<Index> index) {
+  Varying<T> result;
+  implementation::gather(a.elements, clamped__(index, N), result);
+  return result;
+}
+template <int N, class T, class Index>
+SHADERTWIN_INLINE Varying<T> at(const glm::vec<N, T>& v, Packet<Index> index) {
+  const Int i = clamped__(index, N);
+  Varying<T> result(v[0]);
+  for (int c = 1; c < N; ++c) result = select__(i == Int(c), Varying<T>(v[c]), result);
+  return result;
+}
+template <int C, int R, class T, class Index>
+SHADERTWIN_INLINE glm::vec<R, Varying<T>> at(const glm::mat<C, R, T>& m, Packet<Index> index) {
+  const Int i = clamped__(index, C);
+  glm::vec<R, Varying<T>> result(m[0]);
+  for (int c = 1; c < C; ++c) result = select__(i == Int(c), glm::vec<R, Varying<T>>(m[c]), result);
+  return result;
+}
+// An index that does not vary.
+using glsl::at;
+
+// Writes `value` to element index[i] in each lane i of the mask.
+template <class T, int N, class Index>
+void put__(Bool mask, array<T, N>& a, Packet<Index> index, const std::type_identity_t<T>& value) {
+  const Int element = clamped__(index, N);
+  for (unsigned left = bits_of__(mask); left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
+    implementation::Word* to = reinterpret_cast<implementation::Word*>(&a.elements[element.v[i]]);
+    const implementation::Word* from = reinterpret_cast<const implementation::Word*>(&value);
+    for (std::size_t word = i; word < sizeof(T) / sizeof(int); word += lanes) to[word] = from[word];
+  }
+}
+template <int N, class T, class Index>
+SHADERTWIN_INLINE void put__(Bool mask, glm::vec<N, T>& v, Packet<Index> index,
+                             const std::type_identity_t<T>& value) {
+  const Int i = clamped__(index, N);
+  for (int c = 0; c < N; ++c) set__(mask && i == Int(c), v[c], value);
+}
+template <int C, int R, class T, class Index>
+SHADERTWIN_INLINE void put__(Bool mask, glm::mat<C, R, T>& m, Packet<Index> index,
+                             const std::type_identity_t<glm::vec<R, T>>& value) {
+  const Int i = clamped__(index, C);
+  for (int c = 0; c < C; ++c) set__(mask && i == Int(c), m[c], value);
+}
+
+}  // namespace shadertwin::glsl::packet
