@@ -1,12 +1,21 @@
 // GLSL's rules for types, which C++ and GLM do not share.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <climits>
 
 #include "reference/glsl/glsl.h"
 
 namespace shadertwin::glsl {
 namespace {
+
+TEST(Negation, KeepsTheSignOfAZero) {
+  const vec4 negated = -vec4(0, 1, -2, 0);
+  EXPECT_TRUE(std::signbit(negated.x));
+  EXPECT_TRUE(std::signbit(negated.w));
+  EXPECT_EQ(negated.z, Float(2));
+}
 
 TEST(Array, ClampsItsIndex) {
   array<float, 3> a{{1.0F, 2.0F, 3.0F}};
