@@ -42,6 +42,9 @@ std::vector<Finding> find(const Project& project, const PlayOptions& options, co
   append(findings, errors);
   if (errors.empty()) {
     append(findings, check::unwritten_outputs(project));
+    const std::vector<Finding> endless = check::endless_loops(project);
+    append(findings, endless);
+    if (!endless.empty()) return check::sorted(std::move(findings));
     if (!has_vertex_shader(project))
       append(findings, check::run_checks(project, {schedule, options.frames, options.timeout}));
     else if (!options.quiet)

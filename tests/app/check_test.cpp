@@ -51,6 +51,14 @@ TEST_F(CheckCommand, FindsWhatOnlyBrowsersRefuse) {
       "a.glsl:2: webgl2: #extension");
 }
 
+TEST_F(CheckCommand, FindsLoopsWithoutAWayOutAndDoesNotRunThem) {
+  expect_only(check("", "float x = 0.0;\nfor (;;) { x += 1.0; for (;;) break; }\nc = vec4(x);"),
+              "a.glsl:4: webgl2: this loop has no way out");
+  const Outcome left =
+      check("", "float x = 0.0;\nwhile (true) { x += 1.0; if (x > 3.0) break; }\nc = vec4(x);");
+  EXPECT_EQ(left.status, 0) << left.out << left.err;
+}
+
 TEST_F(CheckCommand, FindsNamesOfOneHostOnly) {
   expect_only(check("", "c = vec4(saturate(p.x));"), "a.glsl:3: portability: 'saturate'");
   expect_only(check("", "c = vec4(iFrameRate);"), "a.glsl:3: portability: 'iFrameRate'");

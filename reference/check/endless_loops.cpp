@@ -1,0 +1,70 @@
+#include <algorithm>
+
+#include "reference/check/rules.h"
+#include "reference/emit/syntax_tree.h"
+
+namespace shadertwin::check {
+namespace {
+
+using namespace glslang;
+
+// Whether a loop's condition never ends it: there is none, or it is the constant true.
+bool always_goes_on(const TIntermLoop& loop) {
+  if (loop.getTest() == nullptr) return true;
+  const TIntermConstantUnion* constant = loop.getTest()->getAsConstantUnion();
+  return constant != nullptr && constant->getConstArray()[0].getBConst();
+}
+
+// Finds what can end the loop whose body it walks.
+class ExitFinder : public TIntermTraverser {
+ public:
+  bool found = false;
+
+  bool visitLoop(TVisit, TIntermLoop* loop) override { return nested(loop->getBody()); }
+  bool visitSwitch(TVisit, TIntermSwitch* choice) override { return nested(choice->getBody()); }
+  bool visitBranch(TVisit, TIntermBranch* jump) override {
+    const TOperator op = jump->getFlowOp();
+    found |= op == EOpReturn || op == EOpKill || (op == EOpBreak && depth_ == 0);
+    return true;
+  }
+
+ private:
+  // A `break` in there ends only what is nested.
+  bool nested(TIntermNode* body) {
+    ++depth_;
+    if (body != nullptr) body->traverse(this);
+    --depth_;
+    return false;
+  }
+
+  int depth_ = 0;
+};
+
+class LoopCollector : public TIntermTraverser {
+ public:
+  std::vector<const TIntermLoop*> endless;
+
+  bool visitLoop(TVisit, TIntermLoop* loop) override {
+    ExitFinder exits;
+    if (loop->getBody() != nullptr) loop->getBody()->traverse(&exits);
+    if (always_goes_on(*loop) && !exits.found) endless.push_back(loop);
+    return true;
+  }
+};
+
+}  // namespace
+
+std::vector<Finding> endless_loops(const Project& project) {
+  std::vector<Finding> findings;
+  for (const Pass& pass : project.passes) {
+    const emit::SyntaxTree tree(project, pass.source, emit::Folding::float32);
+    LoopCollector loops;
+    const_cast<TIntermAggregate&>(tree.root()).traverse(&loops);  // it has no const traversal
+    for (const TIntermLoop* loop : loops.endless)
+      findings.push_back(make_finding(project, pass, tree.line_of(*loop), "webgl2",
+                                      "this loop has no way out: browsers refuse it"));
+  }
+  return findings;
+}
+
+}  // namespace shadertwin::check
