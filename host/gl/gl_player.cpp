@@ -213,7 +213,7 @@ class GlPlayerImpl final : public GlPlayer {
       target.front = target.pictures == source.pictures ? source.front : 0;
       for (std::size_t picture = 0; picture < target.pictures; ++picture)
         copy(source, source.pictures == target.pictures ? picture : source.front, target, picture);
-      make_mipmaps(target);
+      make_mipmaps(target, target.front);
     }
   }
 
@@ -344,6 +344,7 @@ class GlPlayerImpl final : public GlPlayer {
           gl_.BlitFramebuffer(0, 0, common.x, common.y, 0, 0, common.x, common.y, GL_COLOR_BUFFER_BIT,
                               GL_NEAREST);
         }
+        make_mipmaps(target, picture);
       }
       target.size = new_size;
     }
@@ -365,6 +366,7 @@ class GlPlayerImpl final : public GlPlayer {
           if (faces == 6) attach_face(state.target, picture, face);
           gl_.ClearBufferfv(GL_COLOR, 0, zero.data());
         }
+        make_mipmaps(state.target, picture);
       }
   }
 
@@ -428,7 +430,7 @@ class GlPlayerImpl final : public GlPlayer {
       }
     }
     target.front = back;
-    make_mipmaps(target);
+    make_mipmaps(target, target.front);
   }
 
   void draw_triangles(bool own_vertices) {
@@ -438,10 +440,10 @@ class GlPlayerImpl final : public GlPlayer {
     gl_.Disable(GL_CULL_FACE);
   }
 
-  void make_mipmaps(const Target& target) {
+  void make_mipmaps(const Target& target, std::size_t picture) {
     if (!target.mipmaps) return;
     gl_.ActiveTexture(GL_TEXTURE0);
-    gl_.BindTexture(target.kind, target.textures[target.front].name());
+    gl_.BindTexture(target.kind, target.textures[picture].name());
     gl_.GenerateMipmap(target.kind);
   }
 

@@ -148,6 +148,28 @@ void mainImage(out vec4 c, in vec2 p) { c = textureLod(iChannel0, vec2(.5), 9.);
   EXPECT_EQ(pixel(images[1]).x, 6);
 }
 
+// A pass that comes later has not drawn yet in frame 0, and what it drew before a restart is gone.
+TEST_P(Passes, MipmapsOfAClearedBufferAreZero) {
+  folder.write("tabs/buffer_a.glsl", R"(
+#iChannel0 "buffer_a.glsl"
+#iChannel0::MinFilter "LinearMipMapLinear"
+void mainImage(out vec4 c, in vec2 p) { c = textureLod(iChannel0, vec2(.5), 9.) + 4.; }
+)");
+  folder.write("tabs/image.glsl", R"(
+#iChannel0 "buffer_a.glsl"
+void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(0), 0); }
+)");
+  const Project project = load_project(folder / "tabs");
+  const auto player = gl::GlPlayer::create(gl::open_context(GetParam().name), project, {GetParam().dispatch});
+  for (int run = 0; run < 2; ++run) {
+    FixedClock clock(small(8, 8), project.dialect);
+    player->render(clock.next());
+    EXPECT_EQ(pixel(player->read(1)).x, 4) << "run " << run;
+    player->render(clock.next());
+    EXPECT_EQ(pixel(player->read(1)).x, 8) << "run " << run;
+  }
+}
+
 TEST_P(Passes, TimersMeasureEveryPassWithoutChangingThePicture) {
   folder.write("a.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(p, iTime, 1); }");
   const auto shader = folder.write("main.glsl", R"(
