@@ -200,7 +200,8 @@ std::string escaped(const std::string& text) {
 
 }  // namespace
 
-std::string html_player(const Project& project, const std::string& title) {
+std::string html_player(const Project& shader, const std::string& title) {
+  const Project project = with_shared_samplers(shader);
   const std::map<std::string, std::string, std::less<>> parts = {
       {"title", escaped(title)},
       {"style", std::string(page_style)},

@@ -102,7 +102,7 @@ struct PassState {
 class GlPlayerImpl final : public GlPlayer {
  public:
   GlPlayerImpl(std::unique_ptr<Context> context, const Project& project, const PlayerOptions& options)
-      : context_(std::move(context)), gl_(context_->functions()), project_(project) {
+      : context_(std::move(context)), gl_(context_->functions()), project_(with_shared_samplers(project)) {
     context_->make_current();
     vertex_array_ = VertexArrayObject(gl_);
     gl_.BindVertexArray(vertex_array_.name());

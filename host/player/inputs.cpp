@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <utility>
 
 namespace shadertwin {
@@ -71,6 +72,26 @@ glm::vec3 channel_size(const Project& project, const Input& input, const Texture
       return site ? glm::vec3(512, 2, 1) : glm::vec3(0.0F);
   }
   return glm::vec3(0.0F);
+}
+
+Project with_shared_samplers(Project project) {
+  if (project.dialect != Dialect::shadertoy) return project;
+  std::map<int, Wrap> wraps;  // by the pass that is read
+  for (const Pass& pass : project.passes)
+    for (const Input& input : pass.inputs)
+      if (input.kind == InputKind::pass) wraps[input.pass] = input.sampler.wrap;
+  for (Pass& pass : project.passes) {
+    std::map<int, Sampler> last;
+    for (const Input& input : pass.inputs)
+      if (input.kind == InputKind::pass) last[input.pass] = input.sampler;
+    for (Input& input : pass.inputs) {
+      if (input.kind != InputKind::pass) continue;
+      input.sampler.min = last[input.pass].min;
+      input.sampler.mag = last[input.pass].mag;
+      input.sampler.wrap = wraps[input.pass];
+    }
+  }
+  return project;
 }
 
 std::vector<bool> passes_with_history(const Project& project) {

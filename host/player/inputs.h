@@ -19,6 +19,11 @@ Texture load_texture(const Input& input);
 // frames. On shadertoy.com cubemaps are not bound to it either. The sampler's type stays.
 Input bound_input(const Pass& pass, std::size_t channel);
 
+// The project with the samplers that its passes are really read with. On shadertoy.com a buffer has one
+// texture object: the last input of all that reads it sets how it wraps, the last channel of a pass how that
+// pass filters it. The extension's inputs keep their own.
+Project with_shared_samplers(Project project);
+
 // iChannelResolution of an input. `texture`: what load_texture gave for a file input, else null.
 // `frame_size`: of the pictures that buffers hold.
 glm::vec3 channel_size(const Project& project, const Input& input, const Texture* texture,

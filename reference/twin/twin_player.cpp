@@ -45,7 +45,8 @@ struct PassState {
 
 class TwinPlayerImpl final : public TwinPlayer {
  public:
-  TwinPlayerImpl(const Project& project, const TwinOptions& options) : project_(project), options_(options) {
+  TwinPlayerImpl(const Project& project, const TwinOptions& options)
+      : project_(with_shared_samplers(project)), options_(options) {
     const std::vector<bool> history = passes_with_history(project_);
     passes_.resize(project_.passes.size());
     for (const Pass& pass : project_.passes)

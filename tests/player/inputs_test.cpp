@@ -40,6 +40,34 @@ TEST(PassesWithHistory, AreAllBuffersOnTheSite) {
             (std::vector<bool>{true, true, false}));
 }
 
+TEST(SharedSamplers, ABufferWrapsAsItsLastInputAndIsFilteredAsAPassesLastChannel) {
+  Project project;
+  project.dialect = Dialect::shadertoy;
+  project.passes.resize(3);
+  const auto read = [&](int pass, std::size_t channel, MagFilter mag, Wrap wrap) {
+    Input& input = project.passes[static_cast<std::size_t>(pass)].inputs[channel];
+    input.kind = InputKind::pass;
+    input.pass = 0;
+    input.sampler = {mag == MagFilter::linear ? MinFilter::linear : MinFilter::nearest, mag, wrap, true};
+  };
+  read(1, 0, MagFilter::linear, Wrap::repeat);
+  read(2, 1, MagFilter::linear, Wrap::repeat);
+  read(2, 3, MagFilter::nearest, Wrap::clamp);
+
+  const Project site = with_shared_samplers(project);
+  EXPECT_EQ(site.passes[1].inputs[0].sampler.mag, MagFilter::linear);
+  EXPECT_EQ(site.passes[2].inputs[1].sampler.mag, MagFilter::nearest);
+  EXPECT_EQ(site.passes[2].inputs[1].sampler.min, MinFilter::nearest);
+  EXPECT_EQ(site.passes[2].inputs[3].sampler.mag, MagFilter::nearest);
+  EXPECT_EQ(site.passes[1].inputs[0].sampler.wrap, Wrap::clamp);
+  EXPECT_EQ(site.passes[2].inputs[1].sampler.wrap, Wrap::clamp);
+
+  project.dialect = Dialect::vscode;
+  const Project extension = with_shared_samplers(project);
+  EXPECT_EQ(extension.passes[1].inputs[0].sampler.wrap, Wrap::repeat);
+  EXPECT_EQ(extension.passes[2].inputs[1].sampler.mag, MagFilter::linear);
+}
+
 TEST(LoadTexture, OfOneChannelKeepsRedAlone) {
   const ScratchFolder folder;
   Image picture(1, 1);
