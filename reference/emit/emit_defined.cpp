@@ -145,7 +145,9 @@ class DefinedText {
 
   // A long array is cleared by a loop behind its declaration, if that stands in a block.
   void clear_behind(const Variable& variable) {
-    const std::string& before = text(variable.type - 1);
+    int first = variable.type - 1;
+    while (text(first) == "highp" || text(first) == "mediump" || text(first) == "lowp") --first;
+    const std::string& before = text(first);
     if (in_header(variable) || (before != ";" && before != "{" && before != "}" && before != ":")) return;
     int end = variable.end;
     for (int depth = 0; !text(end).empty(); ++end) {

@@ -53,7 +53,14 @@ class LoopReader {
   bool written(int declaration, int first, int end) const {
     for (int i = first; i < end; ++i) {
       if (declarations_.declaration_of(i) != declaration || i == declaration) continue;
-      if (writes(text(i + 1)) || text(i - 1) == "++" || text(i - 1) == "--") return true;
+      int before = i - 1;
+      int behind = i + 1;
+      while (before > first && behind + 1 < end && text(before) == "(" && text(behind) == ")") {
+        --before;
+        ++behind;
+      }
+      for (const auto& [left, right] : {std::pair(i - 1, i + 1), std::pair(before, behind)})
+        if (writes(text(right)) || text(left) == "++" || text(left) == "--") return true;
       const bool alone =
           (text(i - 1) == "(" || text(i - 1) == ",") && (text(i + 1) == ")" || text(i + 1) == ",");
       if (alone && may_be_output()) return true;

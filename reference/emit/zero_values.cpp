@@ -135,10 +135,17 @@ std::string builtin_zero(const std::string& type) {
   if (type == "int") return "0";
   if (type == "uint") return "0u";
   if (type == "bool") return "false";
-  for (const char* prefix : {"vec", "ivec", "uvec", "mat"}) {
-    if (type.rfind(prefix, 0) == 0) return type + "(0)";
+  // Names that only begin like these are the shader's own.
+  const auto is_size = [](const std::string& text) {
+    const auto digit = [](char c) { return c >= '2' && c <= '4'; };
+    return (text.size() == 1 && digit(text[0])) ||
+           (text.size() == 3 && digit(text[0]) && text[1] == 'x' && digit(text[2]));
+  };
+  for (const std::string prefix : {"vec", "ivec", "uvec", "mat", "bvec"}) {
+    if (type.rfind(prefix, 0) == 0 && is_size(type.substr(prefix.size())))
+      return type + (prefix == "bvec" ? "(false)" : "(0)");
   }
-  return type.rfind("bvec", 0) == 0 ? type + "(false)" : "";
+  return "";
 }
 
 }  // namespace

@@ -41,7 +41,21 @@ TEST(EmitDefined, StartsArraysAndStructuresAtZero) {
       "int [ N ] i = int[3](0, 0, 0) ;\n");
 }
 
+TEST(EmitDefined, StartsAStructureWhoseNameBeginsAsABuiltInTypes) {
+  EXPECT_EQ(defined("struct material { float a; };\nmaterial m;\n"),
+            "struct material { float a ; } ;\nmaterial m = material(0.0) ;\n");
+}
+
+TEST(EmitDefined, ClampsAnIndexThatParenthesesHideTheWriteOf) {
+  const std::string text = defined(
+      "float q[4]; float f() { float s = 0.0; for (int i = 0; i < 4; i++) { (i) += 5; s += q[i]; } return s; "
+      "}\n");
+  EXPECT_NE(text.find("shadertwin_at( i , 3)"), std::string::npos) << text;
+}
+
 TEST(EmitDefined, ClearsLongArraysByALoop) {
+  EXPECT_NE(defined("void f() { highp float a[999]; float b = a[0]; }\n").find("for (int shadertwin_i"),
+            std::string::npos);
   EXPECT_EQ(defined("void f() { float a[999], b; b = a[0]; }\n"),
             "void f ( ) { float a [ 999 ] , b = 0.0 ; for (int shadertwin_i = 0; shadertwin_i < a.length(); "
             "++shadertwin_i) a[shadertwin_i] = 0.0; b = a [ 0 ] ; }\n");
