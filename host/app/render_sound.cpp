@@ -23,7 +23,8 @@ constexpr double max_seconds = 3.0 * 3600.0;
 
 void render_sound(const PlayOptions& options, double seconds, const std::string& output) {
   const Schedule schedule = make_schedule(options);
-  if (!(seconds > 0.0) || seconds > max_seconds || std::abs(schedule.t0) > max_seconds)
+  if (!(seconds > 0.0) || seconds > max_seconds || std::abs(schedule.t0) > max_seconds ||
+      schedule.t0 + seconds > max_seconds)
     throw Error(ExitStatus::usage, "--duration must be above 0, and the sound end within three hours");
   const auto count = static_cast<std::int64_t>(std::llround(seconds * sound_rate));
   const auto first = static_cast<std::int64_t>(std::llround(schedule.t0 * sound_rate));

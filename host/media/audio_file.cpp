@@ -18,6 +18,7 @@ namespace {
 
 constexpr double max_seconds = 3600.0;  // 1.3 GB of floats
 // Those that Web Audio has to take.
+constexpr int max_failures = 100;
 constexpr int min_rate = 3000;
 constexpr int max_rate = 768000;
 
@@ -83,6 +84,8 @@ struct AudioFile::State {
   void decode_until(std::int64_t last) {
     while (!complete && count() <= last) {
       const int received = avcodec_receive_frame(decoder.get(), frame.get());
+      const bool is_usual = received >= 0 || received == AVERROR_EOF || received == AVERROR(EAGAIN);
+      failures = is_usual ? 0 : failures + 1;
       if (received == AVERROR_EOF) {
         convert(nullptr);
         finish();
@@ -92,6 +95,8 @@ struct AudioFile::State {
         convert(frame.get());
         av_frame_unref(frame.get());
         if (static_cast<double>(count()) > max_seconds * rate) finish();
+      } else if (failures > max_failures) {
+        finish();
       }
       // What can't be decoded is left out, as in a browser.
     }
@@ -189,6 +194,7 @@ struct AudioFile::State {
   std::vector<std::vector<float>> planes;
   std::vector<float> samples;  // as far as decoded
   bool complete = false;
+  int failures = 0;  // of the decoder, in a row
 };
 
 AudioFile::AudioFile(const fs::path& file, int rate) : state_(std::make_unique<State>(file, rate)) {}

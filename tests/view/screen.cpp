@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <thread>
 
 namespace shadertwin {
@@ -167,7 +168,7 @@ RunningView::Shot RunningView::shoot() {
   const std::size_t before = err().size();
   key("F12");
   Shot shot;
-  if (!says(".png and .exr: frame ", before)) return shot;
+  if (!says(".png and .exr: frame ", before)) throw std::runtime_error("no screenshot came: " + err());
   eventually([&] { return err().ends_with('\n'); });
   const std::string line = err().substr(before);
   const std::size_t end = line.rfind(".png and .exr");
