@@ -16,8 +16,8 @@ std::vector<Finding> compile_errors(const Project& project);
 // local hosts, so the site's rules don't hold there.
 std::vector<Finding> text_rules(const Project& project);
 
-// Loops without an end, a break, a return or a discard, which browsers refuse, kind `webgl2`. The shader has to
-// compile.
+// Loops without an end, a break, a return or a discard, which browsers refuse, kind `webgl2`. The shader has
+// to compile.
 std::vector<Finding> endless_loops(const Project& project);
 
 // `out` parameters that some path through their function leaves unwritten, kind `out`. A loop counts as if

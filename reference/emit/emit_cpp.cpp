@@ -291,7 +291,9 @@ class CppModule {
               (program_.uses_derivatives() ? "true" : "false") + ";");
     text_.add(std::string("  static constexpr bool uses_implicit_lod = ") +
               (program_.uses_implicit_lod() ? "true" : "false") + ";");
-    const bool stops = program_.uses_discard() || context_.options().loop_guards || context_.options().checks;
+    // Packets discard by their mask.
+    const bool stops = (program_.uses_discard() && !context_.options().packets) ||
+                       context_.options().loop_guards || context_.options().checks;
     text_.add(std::string("  static constexpr bool uses_stop = ") + (stops ? "true" : "false") + ";");
   }
 

@@ -66,18 +66,20 @@ CppExpressions::Text PacketExpressions::logical(const TIntermBinary& node) {
   const TIntermTyped& right = *node.getRight();
   if (!varies(node) && !has_effects(right)) return CppExpressions::logical(node);
   const BinaryOperator sign = binary_operator(node.getOp());
-  const Text left_text = expression(left);
+  Text left_text = expression(left);
   if (!has_effects(right) && !is_costly(right)) {
+    if (has_effects(left)) left_text = temporary(left, left_text.text);
     const Text right_text = expression(right);
     const Binding above = static_cast<Binding>(static_cast<int>(sign.binding) + 1);
     return {left_text.at_least(sign.binding) + ' ' + sign.sign + ' ' + right_text.at_least(above),
             sign.binding};
   }
-  const std::string result = names_.take("tmp");
   const bool is_and = node.getOp() == EOpLogicalAnd;
+  const std::string first = temporary(left, left_text.text).text;
+  const std::string result = names_.take("tmp");
+  say(type_of(node) + " " + result + " = " + first + ";");
   if (!varies(left)) {
-    say(type_of(node) + " " + result + " = " + left_text.text + ";");
-    say(std::string("if (") + (is_and ? "" : "!") + "(" + left_text.text + ")) {");
+    say(std::string("if (") + (is_and ? "" : "!") + first + ") {");
     std::vector<std::string> outer = std::exchange(prelude_, {});
     const Text right_text = expression(right);
     say(result + " = " + right_text.text + ";");
@@ -86,8 +88,7 @@ CppExpressions::Text PacketExpressions::logical(const TIntermBinary& node) {
     say("}");
     return {result};
   }
-  say("Bool " + result + " = " + left_text.text + ";");
-  where(mask() + " && " + (is_and ? "" : "!") + result, [&] {
+  where(mask() + " && " + (is_and ? "" : "!") + first, [&] {
     const Text right_text = expression(right);
     say("set__(" + mask() + ", " + result + ", " + right_text.text + ");");
   });
@@ -104,7 +105,8 @@ std::string PacketExpressions::branch_value(const TIntermTyped& selection, const
 CppExpressions::Text PacketExpressions::selection(const TIntermSelection& node) {
   const TIntermTyped& yes = *node.getTrueBlock()->getAsTyped();
   const TIntermTyped& no = *node.getFalseBlock()->getAsTyped();
-  const Text condition = expression(*node.getCondition());
+  Text condition = expression(*node.getCondition());
+  if (has_effects(*node.getCondition())) condition = temporary(*node.getCondition(), condition.text);
   const bool parts = varies(*node.getCondition());
   const bool has_value = node.getBasicType() != EbtVoid;
   // The texts, with what has to stand before them.
@@ -159,25 +161,27 @@ CppExpressions::Text PacketExpressions::selection(const TIntermSelection& node) 
 
 // --- Assignments ------------------------------------------------------------
 
-std::string PacketExpressions::chain(const TIntermTyped& node, std::vector<Target::Element>& elements) {
+// Indices are found once and in GLSL's order: those with effects, and all if what follows may change them.
+std::string PacketExpressions::chain(const TIntermTyped& node, bool bind, std::vector<Element>& elements) {
   const TIntermBinary* binary = node.getAsBinaryNode();
   if (binary == nullptr) return expression(node).at_least(Binding::postfix);
   const TIntermTyped& container = *binary->getLeft();
   if (binary->getOp() == EOpIndexDirectStruct) {
     const int member = binary->getRight()->getAsConstantUnion()->getConstArray()[0].getIConst();
-    return chain(container, elements) + '.' + context_.field(container.getType(), member);
+    return chain(container, bind, elements) + '.' + context_.field(container.getType(), member);
   }
   if (!is_index(binary->getOp())) return expression(node).at_least(Binding::postfix);
   const Swizzle one = swizzle_of(node);
   if (one.components.size() == 1)
-    return chain(*one.base, elements) + '.' + component_names[one.components[0]];
-  const std::string base = chain(container, elements);
-  const Text index = expression(*binary->getRight());
-  if (varies(*binary->getRight())) {
-    const std::string at = temporary(*binary->getRight(), index.text).text;
+    return chain(*one.base, bind, elements) + '.' + component_names[one.components[0]];
+  const std::string base = chain(container, bind, elements);
+  const TIntermTyped& right = *binary->getRight();
+  Text index = expression(right);
+  if (varies(right) || has_effects(right) || (bind && right.getAsConstantUnion() == nullptr))
+    index = temporary(right, index.text);
+  if (varies(right)) {
     const std::string element = names_.take("element");
-    say(context_.type(node.getType(), true) + " " + element + " = at(" + base + ", " + at + ");");
-    elements.push_back({base, at, element});
+    elements.push_back({context_.type(node.getType(), true), base, index.text, element});
     return element;
   }
   if (!container.isArray() && binary->getOp() == EOpIndexIndirect)
@@ -189,13 +193,7 @@ PacketExpressions::Target PacketExpressions::target(const TIntermTyped& left, bo
   Target result;
   const Swizzle swizzle = swizzle_of(left);
   const bool is_swizzle = swizzle.components.size() > 1;
-  const TIntermTyped& variable = is_swizzle ? *swizzle.base : left;
-  std::string text = chain(variable, result.elements);
-  if (bind && result.elements.empty()) {
-    const std::string name = names_.take("place");
-    say(context_.type(variable.getType(), true) + "& " + name + " = " + text + ";");
-    text = name;
-  }
+  const std::string text = chain(is_swizzle ? *swizzle.base : left, bind, result.elements);
   result.place = {text, text};
   if (!is_swizzle) return result;
   std::string letters;
@@ -208,9 +206,14 @@ PacketExpressions::Target PacketExpressions::target(const TIntermTyped& left, bo
   return result;
 }
 
-void PacketExpressions::put_back(const Target& target) {
-  for (auto element = target.elements.rbegin(); element != target.elements.rend(); ++element)
-    say("put__(" + mask() + ", " + element->container + ", " + element->index + ", " + element->name + ");");
+void PacketExpressions::read_elements(const Target& target) {
+  for (const Element& element : target.elements)
+    say(element.type + " " + element.name + " = at(" + element.container + ", " + element.index + ");");
+}
+
+void PacketExpressions::read_elements_again(const Target& target) {
+  for (const Element& element : target.elements)
+    say(element.name + " = at(" + element.container + ", " + element.index + ");");
 }
 
 void PacketExpressions::write(const Target& target, const std::string& value, bool masked) {
@@ -218,7 +221,8 @@ void PacketExpressions::write(const Target& target, const std::string& value, bo
     say("set__(" + mask() + ", " + target.place.write + ", " + value + ");");
   else
     say(target.place.write + " = " + value + ";");
-  put_back(target);
+  for (auto element = target.elements.rbegin(); element != target.elements.rend(); ++element)
+    say("put__(" + mask() + ", " + element->container + ", " + element->index + ", " + element->name + ");");
 }
 
 CppExpressions::Text PacketExpressions::assignment(const TIntermBinary& node, bool wants_value) {
@@ -227,9 +231,13 @@ CppExpressions::Text PacketExpressions::assignment(const TIntermBinary& node, bo
   const bool masked = uniformity_.is_masked(node);
   const BinaryOperator op = assignment_operator(node.getOp());
   if (!varies(left)) return CppExpressions::assignment(node, wants_value);
-  // GLSL finds the place first, C++ last.
+  // GLSL finds the place first, and reads it when the value is there.
   const Target to = target(left, place_comes_first(left, right));
-  Text value = widened(right, expression(right));
+  Text value = expression(right);
+  const bool reads_place = op.plain != EOpNull || !to.elements.empty();
+  if (reads_place && has_effects(right)) value = temporary(right, value.text);
+  value = widened(right, value);
+  read_elements(to);
   if (op.plain != EOpNull)
     value = arithmetic(op.plain, left, right, {to.place.read, Binding::postfix}, value);
   const std::string text = value.at_least(Binding::assignment);
@@ -248,6 +256,7 @@ CppExpressions::Text PacketExpressions::increment(const TIntermUnary& node, bool
   const bool adds = op == EOpPreIncrement || op == EOpPostIncrement;
   const bool before = op == EOpPreIncrement || op == EOpPreDecrement;
   const Target to = target(operand);
+  read_elements(to);
   Text result = {to.place.read, Binding::postfix};
   if (wants_value && !before) result = temporary(operand, to.place.read);
   const std::string one = operand.getBasicType() == EbtFloat  ? context_.literal(1.0)
@@ -286,7 +295,9 @@ CppExpressions::Text PacketExpressions::builtin_call(const TIntermAggregate& nod
     say(type + " " + part + ";");
     const std::string given = type + "(" + value.text + ")";
     const Text fraction = temporary(node, name + "(" + given + ", " + part + ")");
-    write(target(whole), part, uniformity_.is_masked(node));
+    const Target to = target(whole);
+    read_elements(to);
+    write(to, part, uniformity_.is_masked(node));
     return fraction;
   }
   const bool reads_texture = starts_with(name, "tex");
@@ -313,7 +324,7 @@ CppExpressions::Text PacketExpressions::call(const TIntermAggregate& node, bool 
   std::vector<std::string> texts(sequence.size());
   for (std::size_t i = 0; i < in_texts.size(); ++i) {
     const bool wide = uniformity_.varies(*callee.parameters[in_places[i]].symbol);
-    const Text text = wide ? widened(*in_operands[i], in_texts[i]) : in_texts[i];
+    const Text text = wide ? packed(*in_operands[i], in_texts[i]) : in_texts[i];
     texts[in_places[i]] = text.at_least(Binding::assignment);
   }
 
@@ -327,6 +338,7 @@ CppExpressions::Text PacketExpressions::call(const TIntermAggregate& node, bool 
     if (!is_out(node.getQualifierList()[i])) continue;
     const TIntermTyped& operand = *sequence[i]->getAsTyped();
     const Target found = target(operand);
+    read_elements(found);
     texts[i] = found.place.read;
     if (found.elements.empty() && can_pass_by_reference(node, i)) continue;
     texts[i] = names_.take("tmp");
@@ -344,7 +356,11 @@ CppExpressions::Text PacketExpressions::call(const TIntermAggregate& node, bool 
     say(text + ";");
   else
     result = temporary(node, text);
-  for (const CopyOut& copy : copies_out) write(copy.target, copy.value, true);
+  for (const CopyOut& copy : copies_out) {
+    // Another argument may be a part of the same element.
+    read_elements_again(copy.target);
+    write(copy.target, copy.value, true);
+  }
   if (discards) {
     std::string names;
     for (auto name = masks_.rbegin(); name != masks_.rend(); ++name) names += ", " + *name;

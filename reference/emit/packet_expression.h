@@ -33,23 +33,26 @@ class PacketExpressions : public CppExpressions {
   Text call(const glslang::TIntermAggregate& node, bool wants_value) override;
 
  private:
-  // An l-value. Elements at an index that varies are read into a variable first and put back afterwards.
+  // An element at an index that varies: read into a variable, changed there, and put back.
+  struct Element {
+    std::string type;
+    std::string container;
+    std::string index;
+    std::string name;
+  };
+  // An l-value.
   struct Target {
-    struct Element {
-      std::string container;
-      std::string index;
-      std::string name;
-    };
     Place place;
     std::vector<Element> elements;  // each inside the one before
   };
 
-  // `bind`: find it now, once, through a reference.
+  // `bind`: find it now, since what follows may change its indices.
   Target target(const glslang::TIntermTyped& left, bool bind = false);
-  std::string chain(const glslang::TIntermTyped& node, std::vector<Target::Element>& elements);
-  // The statements that give the target its value.
+  std::string chain(const glslang::TIntermTyped& node, bool bind, std::vector<Element>& elements);
+  void read_elements(const Target& target);
+  void read_elements_again(const Target& target);
+  // The statements that give the target its value, and put its elements back.
   void write(const Target& target, const std::string& value, bool masked);
-  void put_back(const Target& target);
   void say(const std::string& statement) { prelude_.push_back(statement); }
   // Runs `body` under the mask `condition`, a branch that is skipped if it is empty.
   template <class Body>

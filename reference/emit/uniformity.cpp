@@ -211,6 +211,7 @@ class UniformityPass {
         return;
       case EOpKill:
         insert(known_.discarding_, function_);
+        part_all_loops();
         return;
       case EOpReturn:
         break;
@@ -219,9 +220,7 @@ class UniformityPass {
     }
     if (region_ != 0) {
       insert(known_.parting_returns_, function_);
-      for (const LoopFrame& frame : loops_) {
-        if (frame.loop != nullptr) part(*frame.loop);
-      }
+      part_all_loops();
     }
     if (node.getExpression() == nullptr) return;
     expression(*node.getExpression());
@@ -229,6 +228,12 @@ class UniformityPass {
     if (region_ != 0 || known_.parts_at_return(*function_) || known_.varies(*node.getExpression()) ||
         type.isStruct() || type.isArray())
       insert(known_.varying_results_, function_);
+  }
+
+  void part_all_loops() {
+    for (const LoopFrame& frame : loops_) {
+      if (frame.loop != nullptr) part(*frame.loop);
+    }
   }
 
   // `target` gets a value that varies or not.
@@ -278,7 +283,10 @@ class UniformityPass {
 
   void call(const TIntermAggregate& node) {
     const Function& callee = program_.function(node);
-    if (known_.discards(callee)) insert(known_.discarding_, function_);
+    if (known_.discards(callee)) {
+      insert(known_.discarding_, function_);
+      part_all_loops();
+    }
     for (std::size_t i = 0; i < node.getSequence().size(); ++i) {
       const TIntermTyped& argument = *node.getSequence()[i]->getAsTyped();
       if (callee.parameters[i].is_out)

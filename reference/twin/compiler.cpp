@@ -18,7 +18,8 @@ namespace shadertwin::twin {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* header = "reference/twin/invocation.h";
+constexpr const char* single_header = "reference/twin/invocation.h";
+constexpr const char* packet_header = "reference/twin/packet_invocation.h";
 
 std::string read_file(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -33,7 +34,7 @@ fs::path find_include_root() {
   // An installation holds bin/shadertwin and share/shadertwin/include; a build knows its source tree.
   for (const fs::path& root : {program.parent_path().parent_path() / "share/shadertwin/include",
                                fs::path(SHADERTWIN_INCLUDE_ROOT)}) {
-    if (fs::exists(root / header, ignored)) return root;
+    if (fs::exists(root / single_header, ignored)) return root;
   }
   throw Error(ExitStatus::file,
               "the headers of the CPU twin are missing: no share/shadertwin/include beside " +
@@ -188,8 +189,7 @@ void Compiler::compile(const std::string& source, const fs::path& object,
     if (!out.flush()) throw Error(ExitStatus::file, text.string() + ": can't be written");
   }
   std::vector<std::string> list = arguments(options);
-  const std::string header =
-      options.packets ? "reference/twin/packet_invocation.h" : "reference/twin/invocation.h";
+  const std::string header = options.packets ? packet_header : single_header;
   if (const fs::path headers = precompiled_header(header, list); !headers.empty())
     list.insert(list.end(), {"-include", headers.string()});
   list.insert(list.end(), {"-o", result.string(), text.string()});

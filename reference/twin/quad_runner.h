@@ -7,10 +7,10 @@
 
 namespace shadertwin::twin {
 
-// For twins that run one pixel at a time, in doubles or under check: packets need it not. Pixels exchange
-// values where the shader asks for a derivative or for a level of detail. Fibres leave control flow the
-// shader's own. An exchange costs about 40 ns a pixel (640x360, eight exchanges a pixel: 0.33 us a pixel on
-// one core).
+// For twins that run one pixel at a time, in doubles or under check: packets do not need them. Pixels
+// exchange values where the shader asks for a derivative or for a level of detail. Fibres leave control flow
+// the shader's own. An exchange costs about 40 ns a pixel (640x360, eight exchanges a pixel: 0.33 us a pixel
+// on one core).
 //
 // Four fibres that live as long as the runner, so that a quad costs switches but no stacks. One runner a
 // thread.

@@ -78,10 +78,10 @@ TEST(EmitPackets, CheapChoicesNeedNoBranch) {
 TEST(EmitPackets, RightSideOfAnAndRunsForThosePixelsThatNeedIt) {
   const std::string text =
       packets("int n; bool f() { n++; return n > 3; } bool g() { return gl_FragCoord.x < 2.0 && f(); }");
-  EXPECT_TRUE(contains(text,
-                       "Bool tmp = gl_FragCoord.x < 2.0f;\nif (Bool active_2 = active && tmp; "
-                       "some__(active_2)) {\nset__(active_2, tmp, "
-                       "f(active_2));\n}\nreturn tmp;\n"));
+  EXPECT_TRUE(
+      contains(text,
+               "const Bool tmp = gl_FragCoord.x < 2.0f;\nBool tmp_2 = tmp;\nif (Bool active_2 = active && "
+               "tmp; some__(active_2)) {\nset__(active_2, tmp_2, f(active_2));\n}\nreturn tmp_2;\n"));
 }
 
 TEST(EmitPackets, ElementThatEachPixelChoosesIsPutBack) {
