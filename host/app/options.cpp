@@ -92,10 +92,12 @@ void add_load_options(CLI::App& command, PlayOptions& o) {
       ->check(CLI::IsMember({"shadertoy", "vscode"}));
   command.add_flag("--mute", o.mute,
                    "music and the microphone give the signal that shadertoy.com shows where sound is muted");
-  command.add_flag("--vscode-quirks", o.vscode_quirks,
-                   "with the rules of vscode: iMouse starts at -1 and its w is positive on the frame after a "
-                   "release, too, the "
-                   "first iTimeDelta is 0, and empty channels have alpha 0");
+  command.add_flag(
+      "--vscode-quirks", o.vscode_quirks,
+      "with the rules of vscode: also what only the extension does. iMouse starts at -1 and its w is "
+      "positive on the frame after a release, too; the first iTimeDelta is 0; empty channels have "
+      "alpha 0; all passes are drawn once before frame 0; a pass reads of a later one that reads itself "
+      "what it drew two frames ago; iChannelResolution of passes stays what it was at the start");
   command.add_flag("--quiet", o.quiet, "no warnings and no progress bar");
 }
 

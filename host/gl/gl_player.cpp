@@ -11,6 +11,7 @@
 #include "host/gl/program.h"
 #include "host/gl/textures.h"
 #include "host/player/inputs.h"
+#include "host/player/rounds.h"
 #include "host/player/uniforms.h"
 #include "host/project/compute_text.h"
 
@@ -67,17 +68,13 @@ bool is_integer(UniformType type) {
   return type >= UniformType::int1 && type <= UniformType::int4;
 }
 
-// What a pass draws into: one picture, or two that take turns when the previous one is still read.
+// What a pass draws into: as many pictures as Rounds says.
 struct Target {
   GLenum kind = GL_TEXTURE_2D;
   glm::ivec2 size{0};
   bool mipmaps = false;
   std::array<TextureObject, 2> textures;
   std::array<FramebufferObject, 2> framebuffers;
-  std::size_t pictures = 1;
-  std::size_t front = 0;  // holds what was drawn last
-
-  std::size_t back() const { return pictures == 2 ? 1 - front : 0; }
 };
 
 struct Channel {
@@ -114,12 +111,9 @@ class GlPlayerImpl final : public GlPlayer {
       compile(i, options.dispatch);
       bind_inputs(i);
     }
-    const auto history = passes_with_history(project_);
-    for (std::size_t i = 0; i < passes_.size(); ++i) {
-      passes_[i].target.pictures = history[i] ? 2 : 1;
+    for (std::size_t i = 0; i < passes_.size(); ++i)
       passes_[i].target.kind =
           project_.passes[i].kind == PassKind::cubemap ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
-    }
     for (const Pass& pass : project_.passes)
       for (const Input& input : pass.inputs)
         if (input.kind == InputKind::pass && uses_mipmaps(input.sampler.min))
@@ -131,28 +125,31 @@ class GlPlayerImpl final : public GlPlayer {
 
   void render(const Frame& frame) override {
     context_->make_current();
+    const auto rehearsal = rounds_.begin(frame);
     resize({frame.width, frame.height});
+    tell_sizes();
     if (frame.index == 0) clear();
     textures_.update(frame);
-    for (std::size_t i = 0; i < passes_.size(); ++i) {
-      if (project_.passes[i].kind == PassKind::sound) continue;
-      if (timers_) timers_->begin(i);
-      draw(i, frame);
-      if (timers_) timers_->end(i);
+    if (rehearsal) {
+      draw_passes(*rehearsal, false);
+      rounds_.end_rehearsal();
     }
+    draw_passes(frame, timers_.has_value());
     gl_.Flush();
   }
 
   Image read(int pass) override {
     context_->make_current();
-    const Target& target = passes_.at(static_cast<std::size_t>(pass)).target;
+    const auto index = static_cast<std::size_t>(pass);
+    const Target& target = passes_.at(index).target;
+    const std::size_t shown = rounds_.shown(index);
     const bool cube = target.kind == GL_TEXTURE_CUBE_MAP;
     const int faces = cube ? 6 : 1;
     Image image(target.size.x, target.size.y * faces);
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffers[target.front].name());
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffers[shown].name());
     for (int face = 0; face < faces; ++face) {
-      if (cube) attach_face(target, target.front, face);
+      if (cube) attach_face(target, shown, face);
       gl_.ReadPixels(0, 0, target.size.x, target.size.y, GL_RGBA, GL_FLOAT,
                      image.at(0, face * target.size.y));
     }
@@ -189,8 +186,8 @@ class GlPlayerImpl final : public GlPlayer {
   }
 
   GLuint texture(int pass) const override {
-    const Target& target = passes_.at(static_cast<std::size_t>(pass)).target;
-    return target.textures[target.front].name();
+    const auto index = static_cast<std::size_t>(pass);
+    return passes_.at(index).target.textures[rounds_.shown(index)].name();
   }
   Context& context() override { return *context_; }
   std::vector<std::string> warnings() const override {
@@ -205,15 +202,18 @@ class GlPlayerImpl final : public GlPlayer {
     context_->make_current();
     if (old.size_.x != 0) resize(old.size_);
     for (std::size_t i = 0; i < passes_.size(); ++i) {
-      const int index = find_pass(old.project_, project_.passes[i].name);
-      if (index < 0) continue;
-      const Target& source = old.passes_[static_cast<std::size_t>(index)].target;
+      const int found = find_pass(old.project_, project_.passes[i].name);
+      if (found < 0) continue;
+      const auto index = static_cast<std::size_t>(found);
+      const Target& source = old.passes_[index].target;
       Target& target = passes_[i].target;
       if (source.kind != target.kind || source.size != target.size || source.size.x == 0) continue;
-      target.front = target.pictures == source.pictures ? source.front : 0;
-      for (std::size_t picture = 0; picture < target.pictures; ++picture)
-        copy(source, source.pictures == target.pictures ? picture : source.front, target, picture);
-      make_mipmaps(target, target.front);
+      const std::size_t last = old.rounds_.shown(index);
+      const bool alike = old.rounds_.pictures(index) == rounds_.pictures(i);
+      rounds_.show(i, alike ? last : 0);
+      for (std::size_t picture = 0; picture < rounds_.pictures(i); ++picture)
+        copy(source, alike ? picture : last, target, picture);
+      make_mipmaps(target, rounds_.shown(i));
     }
   }
 
@@ -333,7 +333,7 @@ class GlPlayerImpl final : public GlPlayer {
       Target& target = passes_[i].target;
       if (target.kind == GL_TEXTURE_CUBE_MAP && target.size.x != 0) continue;
       const glm::ivec2 new_size = target.kind == GL_TEXTURE_CUBE_MAP ? glm::ivec2(cubemap_pass_size) : size;
-      for (std::size_t picture = 0; picture < target.pictures; ++picture) {
+      for (std::size_t picture = 0; picture < rounds_.pictures(i); ++picture) {
         Target old;
         std::swap(old.textures[picture], target.textures[picture]);
         std::swap(old.framebuffers[picture], target.framebuffers[picture]);
@@ -349,17 +349,22 @@ class GlPlayerImpl final : public GlPlayer {
       target.size = new_size;
     }
     size_ = size;
+  }
+
+  void tell_sizes() {
     for (std::size_t i = 0; i < passes_.size(); ++i)
       for (const Channel& channel : passes_[i].channels)
         if (channel.pass >= 0)
-          passes_[i].sizes[channel.unit] =
-              channel_size(project_, project_.passes[i].inputs[channel.unit], nullptr, size);
+          passes_[i].sizes[channel.unit] = channel_size(project_, project_.passes[i].inputs[channel.unit],
+                                                        nullptr, rounds_.reported_size());
   }
 
   void clear() {
     constexpr std::array<GLfloat, 4> zero{};
-    for (const PassState& state : passes_)
-      for (std::size_t picture = 0; picture < state.target.pictures && state.target.size.x != 0; ++picture) {
+    for (std::size_t i = 0; i < passes_.size(); ++i) {
+      const PassState& state = passes_[i];
+      if (state.target.size.x == 0) continue;
+      for (std::size_t picture = 0; picture < rounds_.pictures(i); ++picture) {
         gl_.BindFramebuffer(GL_FRAMEBUFFER, state.target.framebuffers[picture].name());
         const int faces = state.target.kind == GL_TEXTURE_CUBE_MAP ? 6 : 1;
         for (int face = 0; face < faces; ++face) {
@@ -368,6 +373,16 @@ class GlPlayerImpl final : public GlPlayer {
         }
         make_mipmaps(state.target, picture);
       }
+    }
+  }
+
+  void draw_passes(const Frame& frame, bool timed) {
+    for (std::size_t i = 0; i < passes_.size(); ++i) {
+      if (project_.passes[i].kind == PassKind::sound) continue;
+      if (timed) timers_->begin(i);
+      draw(i, frame);
+      if (timed) timers_->end(i);
+    }
   }
 
   void draw(std::size_t index, const Frame& frame) {
@@ -384,7 +399,7 @@ class GlPlayerImpl final : public GlPlayer {
             const std::vector<std::array<float, 4>>& custom_values) {
     PassState& state = passes_[index];
     Target& target = state.target;
-    const std::size_t back = target.back();
+    const std::size_t back = rounds_.target(index);
     gl_.UseProgram(state.program->name());
     for (const UniformSlot& slot : state.uniforms)
       set_uniform(gl_, slot.location, slot.type, slot.count,
@@ -396,8 +411,9 @@ class GlPlayerImpl final : public GlPlayer {
     for (const Channel& channel : state.channels) {
       BoundTexture bound = channel.fixed.bound;
       if (channel.pass >= 0) {
-        const Target& source = passes_[static_cast<std::size_t>(channel.pass)].target;
-        bound = {source.kind, source.textures[source.front].name()};
+        const auto source = static_cast<std::size_t>(channel.pass);
+        const Target& read = passes_[source].target;
+        bound = {read.kind, read.textures[rounds_.read_by(index, source)].name()};
       }
       bind(channel.unit, bound, channel.sampler.name());
     }
@@ -429,8 +445,8 @@ class GlPlayerImpl final : public GlPlayer {
         draw_triangles(project_.passes[index].vertex.has_value());
       }
     }
-    target.front = back;
-    make_mipmaps(target, target.front);
+    rounds_.drawn(index);
+    make_mipmaps(target, back);
   }
 
   void draw_triangles(bool own_vertices) {
@@ -476,6 +492,7 @@ class GlPlayerImpl final : public GlPlayer {
   std::optional<Project> rewritten_;  // to be tried first
   VertexArrayObject vertex_array_;
   ChannelTextures textures_{gl_, project_};
+  Rounds rounds_{project_};
   std::vector<PassState> passes_;
   glm::ivec2 size_{0};
   std::vector<std::string> warnings_;

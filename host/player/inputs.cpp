@@ -99,7 +99,8 @@ std::vector<bool> passes_with_history(const Project& project) {
   std::vector<bool> history(project.passes.size(), false);
   for (int reader = 0; reader < count; ++reader)
     for (const Input& input : project.passes[static_cast<std::size_t>(reader)].inputs)
-      if (input.kind == InputKind::pass && input.pass >= reader)
+      if (input.kind == InputKind::pass &&
+          (input.pass == reader || (input.pass > reader && !project.vscode_quirks)))
         history[static_cast<std::size_t>(input.pass)] = true;
   if (project.dialect == Dialect::shadertoy)
     for (std::size_t i = 0; i < history.size(); ++i)

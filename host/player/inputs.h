@@ -30,8 +30,9 @@ glm::vec3 channel_size(const Project& project, const Input& input, const Texture
                        glm::ivec2 frame_size);
 
 // One flag for every pass: whether its previous picture is still needed while, or after, it draws a new one.
-// True for passes that read themselves or are read by an earlier one. On shadertoy.com every buffer is kept
-// twice, which shows when a shader discards: the old contents are then those of two frames ago.
+// True for passes that read themselves or, but for the extension with its quirks, are read by an earlier one.
+// On shadertoy.com every buffer is kept twice, which shows when a shader discards: the old contents are then
+// those of two frames ago.
 std::vector<bool> passes_with_history(const Project& project);
 
 }  // namespace shadertwin

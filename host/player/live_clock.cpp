@@ -74,10 +74,10 @@ Frame LiveClock::next(const Moment& now, glm::ivec2 size) {
   const std::optional<double> rate = recording_.has_value() ? recording_ : settings_.rate;
   const double step = rate.has_value() ? 1.0 / *rate : usual_delta;
   const bool still = settings_.paused && !stepped_;  // a forced frame
-  double delta = usual_delta;
+  const bool quirks = settings_.vscode_quirks && dialect_ == Dialect::vscode;
+  double delta = quirks && (first_ || still) ? 0.0 : usual_delta;
   if (first_) {
     fixed_index_ = 0;
-    if (settings_.vscode_quirks && dialect_ == Dialect::vscode) delta = 0.0;
   } else if (!still) {
     ++fixed_index_;
     delta = stepped_ || rate.has_value() ? step : resumed_ ? usual_delta : now.seconds - last_seconds_;

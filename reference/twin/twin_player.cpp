@@ -11,6 +11,7 @@
 
 #include "host/base/error.h"
 #include "host/player/inputs.h"
+#include "host/player/rounds.h"
 #include "host/player/uniforms.h"
 #include "reference/emit/emit_cpp.h"
 #include "reference/twin/channels.h"
@@ -23,16 +24,13 @@ namespace {
 
 constexpr int tile = 16;
 
-// What a pass draws into: one picture, or two that take turns when the previous one is still read.
+// What a pass draws into: as many pictures as Rounds says.
 struct Target {
   int width = 0;
   int height = 0;
   int faces = 1;
   std::vector<std::vector<double>> wide;  // of the double twin
   std::vector<Picture> pictures;
-  std::size_t front = 0;
-
-  std::size_t back() const { return (front + 1) % pictures.size(); }
 };
 
 struct PassState {
@@ -47,7 +45,6 @@ class TwinPlayerImpl final : public TwinPlayer {
  public:
   TwinPlayerImpl(const Project& project, const TwinOptions& options)
       : project_(with_shared_samplers(project)), options_(options) {
-    const std::vector<bool> history = passes_with_history(project_);
     passes_.resize(project_.passes.size());
     for (const Pass& pass : project_.passes)
       if (pass.vertex.has_value())
@@ -59,8 +56,8 @@ class TwinPlayerImpl final : public TwinPlayer {
       passes_[i].module = load(project_.passes[i]);
       bind_inputs(i);
       passes_[i].target.faces = project_.passes[i].kind == PassKind::cubemap ? 6 : 1;
-      passes_[i].target.pictures.resize(history[i] ? 2 : 1);
-      passes_[i].target.wide.resize(history[i] ? 2 : 1);
+      passes_[i].target.pictures.resize(rounds_.pictures(i));
+      passes_[i].target.wide.resize(rounds_.pictures(i));
     }
     for (const Pass& pass : project_.passes) {
       for (const Input& input : pass.inputs) {
@@ -73,13 +70,17 @@ class TwinPlayerImpl final : public TwinPlayer {
 
   void render(const Frame& frame) override {
     const Deadline deadline(options_.timeout);
+    const auto rehearsal = rounds_.begin(frame);
     resize(frame.width, frame.height);
+    tell_sizes();
     if (frame.index == 0) clear();
     keyboard_.update(frame);
     moving_.update(frame);
-    for (std::size_t i = 0; i < passes_.size(); ++i) {
-      if (project_.passes[i].kind != PassKind::sound) draw(i, frame, deadline);
+    if (rehearsal) {
+      draw_passes(*rehearsal, deadline);
+      rounds_.end_rehearsal();
     }
+    draw_passes(frame, deadline);
   }
 
   Image sound_block(int block, const glm::vec4& date) override {
@@ -104,16 +105,18 @@ class TwinPlayerImpl final : public TwinPlayer {
   }
 
   Image read(int pass) override {
-    const Target& target = passes_.at(static_cast<std::size_t>(pass)).target;
+    const auto index = static_cast<std::size_t>(pass);
+    const Target& target = passes_.at(index).target;
     Image image(target.width, target.height * target.faces);
-    if (target.width != 0) target.pictures[target.front].copy_to(image.rgba.data());
+    if (target.width != 0) target.pictures[rounds_.shown(index)].copy_to(image.rgba.data());
     return image;
   }
 
   DoubleImage read_double(int pass) override {
-    const Target& target = passes_.at(static_cast<std::size_t>(pass)).target;
+    const auto index = static_cast<std::size_t>(pass);
+    const Target& target = passes_.at(index).target;
     if (options_.double_precision)
-      return {target.width, target.height * target.faces, target.wide[target.front]};
+      return {target.width, target.height * target.faces, target.wide[rounds_.shown(index)]};
     const Image image = read(pass);
     return {image.width, image.height, {image.rgba.begin(), image.rgba.end()}};
   }
@@ -242,11 +245,14 @@ class TwinPlayerImpl final : public TwinPlayer {
     }
     width_ = width;
     height_ = height;
+  }
+
+  void tell_sizes() {
     for (std::size_t i = 0; i < passes_.size(); ++i) {
       for (std::size_t c = 0; c < max_channels; ++c) {
         const Input input = bound_input(project_.passes[i], c);
         if (input.kind == InputKind::pass)
-          passes_[i].sizes[c] = channel_size(project_, input, nullptr, {width, height});
+          passes_[i].sizes[c] = channel_size(project_, input, nullptr, rounds_.reported_size());
       }
     }
   }
@@ -258,14 +264,20 @@ class TwinPlayerImpl final : public TwinPlayer {
     }
   }
 
+  void draw_passes(const Frame& frame, const Deadline& deadline) {
+    for (std::size_t i = 0; i < passes_.size(); ++i)
+      if (project_.passes[i].kind != PassKind::sound) draw(i, frame, deadline);
+  }
+
   // What moves, or was drawn before, comes to its channels.
   void draw(std::size_t index, const Frame& frame, const Deadline& deadline) {
     PassState& state = passes_[index];
     const Pass& pass = project_.passes[index];
     for (std::size_t i = 0; i < max_channels; ++i) {
       if (pass.inputs[i].kind != InputKind::pass) continue;
-      const Target& source = passes_[static_cast<std::size_t>(pass.inputs[i].pass)].target;
-      state.channels.bind(i, source.pictures[source.front], pass.inputs[i].sampler);
+      const auto source = static_cast<std::size_t>(pass.inputs[i].pass);
+      state.channels.bind(i, passes_[source].target.pictures[rounds_.read_by(index, source)],
+                          pass.inputs[i].sampler);
     }
     ChannelTimes times{};
     for (std::size_t i = 0; i < max_channels; ++i) {
@@ -283,7 +295,7 @@ class TwinPlayerImpl final : public TwinPlayer {
   void draw(std::size_t index, const Uniforms& values, const Frame& frame, const Deadline& deadline) {
     const Pass& pass = project_.passes[index];
     Target& target = passes_[index].target;
-    const std::size_t back = target.back();
+    const std::size_t back = rounds_.target(index);
     Picture& picture = target.pictures[back];
     // The extension clears every target before it draws, which shows where a shader discards.
     if (project_.dialect == Dialect::vscode) {
@@ -297,7 +309,7 @@ class TwinPlayerImpl final : public TwinPlayer {
                   pass.name + ": error: the time that --timeout gives a frame has run out");
     if (options_.double_precision) picture.round_from(target.wide[back]);
     picture.finish_drawing();
-    target.front = back;
+    rounds_.drawn(index);
   }
 
   void draw_face(std::size_t index, const Uniforms& values, const Frame& frame, int face,
@@ -312,7 +324,7 @@ class TwinPlayerImpl final : public TwinPlayer {
     if (options_.region && index + 1 == passes_.size() && project_.passes[index].kind != PassKind::sound)
       region = clipped(*options_.region, target);
     const std::size_t first = std::size_t{4} * target.width * target.height * static_cast<std::size_t>(face);
-    const std::size_t back = target.back();
+    const std::size_t back = rounds_.target(index);
     Request whole;
     whole.uniforms = uniforms.data();
     whole.uniform_count = uniforms.size();
@@ -337,7 +349,7 @@ class TwinPlayerImpl final : public TwinPlayer {
     };
     if (options_.stop_at && static_cast<std::size_t>(options_.stop_at->pass) == index) {
       const Moment& stop = *options_.stop_at;
-      if (stop.frame == frame.index && face == 0) {
+      if (stop.frame == frame.index && face == 0 && !rounds_.rehearsing()) {
         region = clipped({stop.x, stop.y, 1, 1}, target);
         shadertwin_debug_stop();
       }
@@ -387,6 +399,7 @@ class TwinPlayerImpl final : public TwinPlayer {
   // What a buffer that is not there reads as: one that was never drawn.
   const Picture missing_pass_{Texture{.width = 1, .height = 1, .data = std::vector<std::byte>(4)}, false};
   std::vector<PassState> passes_;
+  Rounds rounds_{project_};
   oneapi::tbb::enumerable_thread_specific<QuadRunner> quad_runners_;
   int width_ = 0;
   int height_ = 0;

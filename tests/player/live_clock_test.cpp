@@ -152,5 +152,14 @@ TEST(LiveClock, ButtonsAndMouseReachTheFrame) {
   EXPECT_EQ(frame.mouse_button, glm::vec4(0));
 }
 
+TEST(LiveClock, SaysThatNoTimePassedWhilePausedWithTheExtensionsQuirks) {
+  LiveClock clock({.vscode_quirks = true}, Dialect::vscode);
+  EXPECT_EQ(clock.next(at(1.0), size).time_delta, 0.0);
+  EXPECT_EQ(clock.next(at(1.25), size).time_delta, 0.25);
+  clock.set_paused(true);
+  clock.force();
+  EXPECT_EQ(clock.next(at(1.5), size).time_delta, 0.0);
+}
+
 }  // namespace
 }  // namespace shadertwin
