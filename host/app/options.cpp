@@ -54,6 +54,23 @@ MouseStep parse_mouse(const std::string& text) {
   return step;
 }
 
+// "NAME", "NAME@FRAME" or "NAME@FRAME-RELEASE".
+KeyStep parse_key(const std::string& text) {
+  const std::size_t at = text.rfind('@');
+  const std::size_t dash = at == std::string::npos ? at : text.find('-', at);
+  const auto [name, frame] = split_frame("--keys", text.substr(0, dash));
+  const auto code = key_code(name);
+  if (!code.has_value()) throw Error(ExitStatus::usage, "--keys " + text + ": unknown key");
+  KeyStep step{frame, *code};
+  if (dash == std::string::npos) return step;
+  int release = 0;
+  if (!read_number(text.substr(dash + 1), release) || release < frame)
+    throw Error(ExitStatus::usage,
+                "--keys " + text + ": expected NAME@FRAME-RELEASE, the later frame behind the dash");
+  step.release = release;
+  return step;
+}
+
 void add_repeated(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                   const std::string& help) {
   command.add_option(name, values, help)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -125,8 +142,10 @@ void add_play_options(CLI::App& command, PlayOptions& o) {
       command, "--mouse", o.mouse,
       "X,Y[,down][@FRAME]: the mouse was clicked (or, with down, is held) there from that frame on, in "
       "pixels from the lower left; repeat it for a drag");
-  add_repeated(command, "--keys", o.keys,
-               "NAME[@FRAME],...: keys held from that frame on (a, 7, space, left, f1, ...)");
+  add_repeated(
+      command, "--keys", o.keys,
+      "NAME[@FRAME[-RELEASE]],...: keys (a, 7, space, left, f1, ...) that are held from a frame on, to the "
+      "end or until they are let go before frame RELEASE; a@4-4 is a tap between frames 3 and 4");
   command.add_option("--json", o.json, "also write a report to this file");
 }
 
@@ -165,12 +184,7 @@ Schedule make_schedule(const PlayOptions& o) {
   if (!o.date.empty()) schedule.date = Date::parse(o.date);
   for (const std::string& text : o.mouse) schedule.mouse.push_back(parse_mouse(text));
   for (const std::string& list : o.keys)
-    for (const std::string& text : split(list, ',')) {
-      const auto [name, frame] = split_frame("--keys", text);
-      const auto code = key_code(name);
-      if (!code.has_value()) throw Error(ExitStatus::usage, "--keys " + text + ": unknown key");
-      schedule.keys.push_back({frame, *code});
-    }
+    for (const std::string& text : split(list, ',')) schedule.keys.push_back(parse_key(text));
   return schedule;
 }
 

@@ -56,6 +56,17 @@ Date Date::parse(const std::string& text) {
   return date;
 }
 
+// A key that is let go and pressed again in the same frame is pressed in the end.
+void FixedClock::move_keys() {
+  for (const KeyStep& step : schedule_.keys)
+    if (step.release == index_ && step.frame < index_) keyboard_.release(step.code);
+  for (const KeyStep& step : schedule_.keys) {
+    if (step.frame != index_) continue;
+    keyboard_.press(step.code);
+    if (step.release == index_) keyboard_.release(step.code);
+  }
+}
+
 Frame FixedClock::next() {
   const glm::ivec2 size(schedule_.width, schedule_.height);
   for (const MouseStep& step : schedule_.mouse) {
@@ -70,8 +81,7 @@ Frame FixedClock::next() {
     }
     if (!step.down) mouse_.release();
   }
-  for (const KeyStep& step : schedule_.keys)
-    if (step.frame == index_) keyboard_.press(step.code);
+  move_keys();
 
   Frame frame;
   frame.width = schedule_.width;

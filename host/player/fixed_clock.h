@@ -2,6 +2,7 @@
 // gives the same frames.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct MouseStep {
 struct KeyStep {
   int frame = 0;  // from which on the key is held
   int code = 0;
+  std::optional<int> release =
+      {};  // the frame that first sees it released; `frame` itself: a tap between two frames
 };
 
 // Local time without a zone.
@@ -62,6 +65,8 @@ class FixedClock {
   Frame next();
 
  private:
+  void move_keys();
+
   Schedule schedule_;
   bool quirks_;
   Mouse mouse_;

@@ -48,6 +48,8 @@ TEST_F(BadInput, CommandLine) {
   expect(2, "ok.glsl --date tomorrow", {"--date tomorrow"});
   expect(2, "ok.glsl --mouse 3", {"--mouse 3"});
   expect(2, "ok.glsl --keys q,nokey", {"nokey"});
+  expect(2, "ok.glsl --keys q@5-4", {"q@5-4"});
+  expect(2, "ok.glsl --keys q@5-", {"q@5-"});
   expect(2, "ok.glsl -D '3=4'", {"-D 3=4"});
   expect(2, "ok.glsl --seed x", {"--seed x"});
   expect(2, "ok.glsl --nonsense", {"--nonsense"});

@@ -84,6 +84,30 @@ TEST(FixedClock, KeysAreHeldFromTheirFrameOn) {
   EXPECT_EQ(held.keyboard[256 + 65], 0);
 }
 
+TEST(FixedClock, KeysAreLetGoAndPressedAgain) {
+  Schedule schedule;
+  schedule.keys = {{1, 65, 3}, {3, 65, 4}, {5, 65, 5}};
+  using Rows = std::vector<std::vector<int>>;
+  for (const Dialect dialect : {Dialect::shadertoy, Dialect::vscode}) {
+    FixedClock clock(schedule, dialect);
+    Rows seen;
+    for (int i = 0; i < 7; ++i) {
+      const Frame frame = clock.next();
+      seen.push_back({});
+      for (std::size_t row = 0; row < 4; ++row) seen.back().push_back(frame.keyboard[256 * row + 65] / 255);
+    }
+    // Held, pressed, toggled, released. A tap between two frames shows as pressed in the extension only.
+    const int tapped = dialect == Dialect::vscode ? 1 : 0;
+    EXPECT_EQ(seen, (Rows{{0, 0, 0, 0},
+                          {1, 1, 1, 0},
+                          {1, 0, 1, 0},
+                          {1, 1, 0, 1},
+                          {0, 0, 0, 1},
+                          {0, tapped, 1, 1},
+                          {0, 0, 1, 0}}));
+  }
+}
+
 TEST(Date, RefusesWhatIsNoDate) {
   for (const char* text : {"", "yesterday", "2023-02-29", "2023-13-01", "2023-01-01T24:00", "2023-01-01T10",
                            "2023-01-01x", "2023-01-01T10:00:61"}) {
