@@ -214,7 +214,6 @@ class TwinPlayerImpl final : public TwinPlayer {
         state.channels.bind(i, picture, input.sampler);
         state.sizes[i] = channel_size(project_, input, &picture.texture(), {0, 0});
       } else if (input.kind == InputKind::keyboard) {
-        state.channels.bind_keyboard(i, keyboard_.picture());
         state.sizes[i] = channel_size(project_, input, nullptr, {0, 0});
       } else if (input.missing == InputKind::pass ||
                  (input.wanted() == InputKind::none && project_.vscode_quirks)) {
@@ -274,6 +273,7 @@ class TwinPlayerImpl final : public TwinPlayer {
     PassState& state = passes_[index];
     const Pass& pass = project_.passes[index];
     for (std::size_t i = 0; i < max_channels; ++i) {
+      if (pass.inputs[i].kind == InputKind::keyboard) state.channels.bind_keyboard(i, keyboard_.picture());
       if (pass.inputs[i].kind != InputKind::pass) continue;
       const auto source = static_cast<std::size_t>(pass.inputs[i].pass);
       state.channels.bind(i, passes_[source].target.pictures[rounds_.read_by(index, source)],
