@@ -15,7 +15,7 @@ bool always_goes_on(const TIntermLoop& loop) {
   return constant != nullptr && constant->getConstArray()[0].getBConst();
 }
 
-// Finds what can end the loop whose body it walks.
+// Finds what can end the loop whose body it walks. `discard` doesn't count: ANGLE refuses such a loop too.
 class ExitFinder : public TIntermTraverser {
  public:
   bool found = false;
@@ -24,7 +24,7 @@ class ExitFinder : public TIntermTraverser {
   bool visitSwitch(TVisit, TIntermSwitch* choice) override { return nested(choice->getBody()); }
   bool visitBranch(TVisit, TIntermBranch* jump) override {
     const TOperator op = jump->getFlowOp();
-    found |= op == EOpReturn || op == EOpKill || (op == EOpBreak && depth_ == 0);
+    found |= op == EOpReturn || (op == EOpBreak && depth_ == 0);
     return true;
   }
 
@@ -62,7 +62,7 @@ std::vector<Finding> endless_loops(const Project& project) {
     const_cast<TIntermAggregate&>(tree.root()).traverse(&loops);  // it has no const traversal
     for (const TIntermLoop* loop : loops.endless)
       findings.push_back(make_finding(project, pass, tree.line_of(*loop), "webgl2",
-                                      "this loop has no way out: browsers refuse it"));
+                                      "no break or return leaves this loop: browsers refuse it"));
   }
   return findings;
 }

@@ -53,7 +53,9 @@ TEST_F(CheckCommand, FindsWhatOnlyBrowsersRefuse) {
 
 TEST_F(CheckCommand, FindsLoopsWithoutAWayOutAndDoesNotRunThem) {
   expect_only(check("", "float x = 0.0;\nfor (;;) { x += 1.0; for (;;) break; }\nc = vec4(x);"),
-              "a.glsl:4: webgl2: this loop has no way out");
+              "a.glsl:4: webgl2: no break or return leaves this loop");
+  expect_only(check("", "c = p.xyxy;\nfor (;;) { if (p.x > 1.0) discard; }"),
+              "a.glsl:4: webgl2: no break or return leaves this loop");
   const Outcome left =
       check("", "float x = 0.0;\nwhile (true) { x += 1.0; if (x > 3.0) break; }\nc = vec4(x);");
   EXPECT_EQ(left.status, 0) << left.out << left.err;
