@@ -1,16 +1,46 @@
 #include "host/view/file_watch.h"
 
 #include <sys/inotify.h>
+#include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <array>
 #include <cstring>
+#include <utility>
 
 #include "host/base/error.h"
 
 namespace shadertwin::view {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+FileWatch::Moment moment(const timespec& time) {
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+// By ctime: a file that is moved into another's place keeps its mtime.
+bool saved_since(const fs::path& file, FileWatch::Moment read) {
+  struct stat status;
+  return stat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && moment(status.st_ctim) >= read;
+}
+
+bool any_saved_since(const fs::path& folder, FileWatch::Moment read) {
+  std::error_code ignored;
+  for (fs::directory_iterator it(folder, ignored), end; !ignored && it != end; it.increment(ignored))
+    if (saved_since(it->path(), read)) return true;
+  return false;
+}
+
+}  // namespace
+
+FileWatch::Moment FileWatch::now() {
+  timespec time;
+  clock_gettime(CLOCK_REALTIME_COARSE, &time);  // the one that the kernel stamps files by
+  return moment(time);
+}
 
 FileWatch::FileWatch() : descriptor_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
   if (descriptor_ < 0)
@@ -21,7 +51,7 @@ FileWatch::~FileWatch() {
   close(descriptor_);
 }
 
-void FileWatch::set_files(const std::vector<fs::path>& files) {
+void FileWatch::set_files(const std::vector<fs::path>& files, Moment read) {
   std::map<fs::path, Folder> wanted;
   for (const fs::path& file : files) {
     std::error_code ignored;
@@ -40,6 +70,12 @@ void FileWatch::set_files(const std::vector<fs::path>& files) {
     const int watch = inotify_add_watch(
         descriptor_, path.c_str(), IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_ONLYDIR);
     if (watch < 0) continue;  // the folder is gone; what comes instead is noticed through other files
+    const auto old = folders_.find(watch);
+    const bool watched_all = old != folders_.end() && old->second.all;
+    if (folder.all && !watched_all) missed_ = missed_ || any_saved_since(path, read);
+    for (const std::string& name : folder.names)
+      if (!watched_all && (old == folders_.end() || !old->second.names.contains(name)))
+        missed_ = missed_ || saved_since(path / name, read);
     Folder& known = folders[watch];
     known.all = known.all || folder.all;
     known.names.merge(folder.names);
@@ -50,7 +86,7 @@ void FileWatch::set_files(const std::vector<fs::path>& files) {
 }
 
 bool FileWatch::changed(bool anything) {
-  bool found = false;
+  bool found = std::exchange(missed_, false);
   alignas(inotify_event) std::array<char, 16384> buffer;
   for (ssize_t size = 0; (size = read(descriptor_, buffer.data(), buffer.size())) > 0;)
     for (ssize_t at = 0; at < size;) {

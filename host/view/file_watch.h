@@ -1,6 +1,7 @@
 // Notices when files are saved, by inotify.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -17,11 +18,18 @@ class FileWatch {
   FileWatch(const FileWatch&) = delete;
   FileWatch& operator=(const FileWatch&) = delete;
 
+  // A moment of the clock that stamps files, from the epoch.
+  using Moment = std::chrono::nanoseconds;
+  static Moment now();
+
   // Watches these files from now on, and no others. They need not be there. A folder among them stands for
-  // every file in it.
-  void set_files(const std::vector<std::filesystem::path>& files);
-  // Becomes readable when changed() has something to say.
+  // every file in it. What was saved after `read`, when somebody began to read them, and before it was
+  // watched, changed() reports too.
+  void set_files(const std::vector<std::filesystem::path>& files, Moment read = Moment::max());
+  // Becomes readable when something happens that changed() should hear of.
   int descriptor() const { return descriptor_; }
+  // Whether changed() has something to say that happened before the watch: descriptor() is silent about it.
+  bool missed() const { return missed_; }
   // Whether one of the files was written, replaced or removed since the last call. `anything`: whether any
   // file beside them was.
   bool changed(bool anything = false);
@@ -33,6 +41,7 @@ class FileWatch {
   };
 
   int descriptor_ = -1;
+  bool missed_ = false;
   std::map<int, Folder> folders_;  // by watch
 };
 

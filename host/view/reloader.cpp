@@ -33,9 +33,9 @@ std::vector<fs::path> files_of(const fs::path& shader, const Project& project) {
   return files;
 }
 
-Reloader::Reloader(Load load, const fs::path& shader, const Project& project)
+Reloader::Reloader(Load load, const fs::path& shader, const Project& project, FileWatch::Moment read)
     : load_(std::move(load)), wake_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)), shader_(shader) {
-  watch_.set_files(files_of(shader, project));
+  watch_.set_files(files_of(shader, project), read);
   thread_ = std::thread([this] { work(); });
 }
 
@@ -65,7 +65,7 @@ std::optional<Reloader::Result> Reloader::take() {
 void Reloader::work() {
   std::array<pollfd, 2> sources = {{{watch_.descriptor(), POLLIN, 0}, {wake_, POLLIN, 0}}};
   for (;;) {
-    poll(sources.data(), sources.size(), -1);
+    poll(sources.data(), sources.size(), watch_.missed() ? 0 : -1);
     const Clock::time_point since = Clock::now();
     std::optional<fs::path> wanted;
     {
@@ -95,11 +95,12 @@ void Reloader::load(const fs::path& shader, Clock::time_point since) {
   Result result;
   result.shader = shader;
   result.since = since;
+  const FileWatch::Moment read = FileWatch::now();
   try {
     result.loaded = load_(shader);
     shader_ = shader;
     broken_ = false;
-    watch_.set_files(files_of(shader, result.loaded->project));
+    watch_.set_files(files_of(shader, result.loaded->project), read);
   } catch (const std::exception& e) {
     result.problem = e.what();
     if (shader == shader_) broken_ = true;

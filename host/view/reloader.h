@@ -38,8 +38,8 @@ class Reloader {
     Clock::time_point since;       // when the change was noticed
   };
 
-  // Watches the files of `project`, which the window shows already.
-  Reloader(Load load, const std::filesystem::path& shader, const Project& project);
+  // Watches the files of `project`, which the window shows already; `read` is when reading them began.
+  Reloader(Load load, const std::filesystem::path& shader, const Project& project, FileWatch::Moment read);
   ~Reloader();
   Reloader(const Reloader&) = delete;
   Reloader& operator=(const Reloader&) = delete;

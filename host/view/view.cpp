@@ -51,11 +51,12 @@ class View {
         window_(stem_of(options.shader) + " - loading", options.size),
         overlay_(window_),
         presenter_(window_.context()),
+        read_(FileWatch::now()),
         playing_(options.shader, load(options.shader)),
         clock_(options.clock, playing_.project().dialect),
         capture_(options.output.empty() ? stem_of(options.shader) : options.output),
-        reloader_([this](const fs::path& shader) { return load(shader); }, options.shader,
-                  playing_.project()) {
+        reloader_([this](const fs::path& shader) { return load(shader); }, options.shader, playing_.project(),
+                  read_) {
     if (!options.pass.empty()) playing_.show(pass_called(playing_.project(), options.pass));
     name_window();
   }
@@ -449,6 +450,7 @@ class View {
   Window window_;  // before everything that lives in its contexts
   Overlay overlay_;
   Presenter presenter_;
+  FileWatch::Moment read_;  // when reading the first project began
   Playing playing_;
   LiveClock clock_;
   std::size_t scale_ = 0;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "tests/scratch_folder.h"
 
 namespace shadertwin::view {
@@ -23,6 +26,29 @@ TEST(FileWatch, SeesAWrittenAReplacedAndARemovedFile) {
   EXPECT_TRUE(watch.changed());
   folder.write("a.glsl", "3");
   EXPECT_TRUE(watch.changed());
+}
+
+TEST(FileWatch, ReportsWhatWasSavedAfterItWasReadAndBeforeItWasWatched) {
+  const ScratchFolder folder;
+  const auto old = folder.write("old.glsl", "1");
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // longer than a tick of the file clock
+  const FileWatch::Moment read = FileWatch::now();
+  FileWatch watch;
+  watch.set_files({old}, read);
+  EXPECT_FALSE(watch.missed());
+  EXPECT_FALSE(watch.changed());
+  const auto saved = folder.write("saved.glsl", "1");
+  EXPECT_TRUE(watch.changed(true));  // the folder was watched already
+  watch.set_files({old, saved}, read);
+  EXPECT_TRUE(watch.missed());
+  EXPECT_TRUE(watch.changed());
+  EXPECT_FALSE(watch.missed());
+  EXPECT_FALSE(watch.changed());
+  watch.set_files({old, saved}, read);
+  EXPECT_FALSE(watch.changed()) << "watched all the time: its changes are told as they happen";
+  FileWatch another;
+  another.set_files({folder.path()}, read);
+  EXPECT_TRUE(another.changed());
 }
 
 TEST(FileWatch, OverlooksItsNeighboursUnlessAsked) {
