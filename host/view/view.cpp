@@ -107,6 +107,8 @@ class View {
     samples_start_.reset();
     const bool same =
         result.shader == playing_.shader() && result.loaded->project.dialect == playing_.project().dialect;
+    frame_.reset();
+    waiting_ = false;
     try {
       playing_.replace(result.shader, std::move(*result.loaded));
     } catch (const Error& e) {
@@ -259,7 +261,8 @@ class View {
   }
 
   void screenshot() {
-    if (!frame_.has_value()) return;
+    screenshot_due_ = !frame_.has_value();
+    if (screenshot_due_) return;
     const std::string name = capture_.screenshot(playing_.stage().read(playing_.pass()));
     notice(name + ".png and .exr: frame " + std::to_string(frame_->index));
   }
@@ -329,13 +332,14 @@ class View {
       pixels_ = size;
       Frame frame = clock_.next(Moment::now(), size);
       frame.uniforms = playing_.uniforms().values();
-      frame_ = frame;
       if (!samples_start_.has_value() || frame.index == 0) {
         samples_start_ = Clock::now();
         samples_ = 0;
       }
       ++samples_;
       playing_.stage().draw(frame);
+      frame_ = frame;
+      if (screenshot_due_) attempt([this] { screenshot(); });
       waiting_ = !playing_.stage().ready();
       if (!waiting_) record();
       return !waiting_ || was_waiting;
@@ -455,7 +459,8 @@ class View {
   LiveClock clock_;
   std::size_t scale_ = 0;
   glm::ivec2 pixels_{0};                 // of the last frame
-  std::optional<Frame> frame_;           // the last one
+  std::optional<Frame> frame_;           // the last one of what plays now
+  bool screenshot_due_ = false;          // asked for before there was one
   bool waiting_ = false;                 // for a player in its own thread
   std::optional<glm::ivec2> halted_at_;  // drawing failed at this size
 

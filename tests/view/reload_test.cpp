@@ -152,6 +152,23 @@ std::size_t open_files(pid_t pid) {
   return count;
 }
 
+TEST_F(Reload, AScreenshotBeforeTheFirstFrameOfANewShaderWaitsForIt) {
+  folder.write("a.glsl", green);
+  RunningView view(screen, folder, "a.glsl --size 100x80");
+  ASSERT_TRUE(view.running()) << view.err();
+  std::string often = "--delay 1";
+  for (int i = 0; i < 30; ++i) often += " F12";
+  for (int i = 0; i < 8; ++i) {
+    const std::size_t before = view.err().size();
+    folder.write("a.glsl", (i % 2 == 0 ? red : green) + ("// " + std::to_string(i) + "\n"));
+    view.key(often);
+    ASSERT_TRUE(view.says("reloaded in ", before)) << view.err();
+  }
+  EXPECT_EQ(view.err().find("read back"), std::string::npos) << view.err();
+  EXPECT_EQ(first(view.shoot().image), glm::vec4(0, 1, 0, 1));
+  EXPECT_EQ(view.quit(), 0);
+}
+
 TEST_F(Reload, LeaksNothing) {
   folder.write("a.glsl", green);
   RunningView view(screen, folder, "a.glsl --size 100x80");
