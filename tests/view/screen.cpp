@@ -125,6 +125,9 @@ RunningView::RunningView(const Screen& screen, const ScratchFolder& folder, cons
   });
   if (window_.empty()) return;
   screen_.hand("windowmove " + window_ + " 0 0");
+  // What a test writes before the shader is read would be no change of it.
+  eventually(
+      [&] { return !screen_.hand("getwindowname " + window_).ends_with(" - loading\n") || !running(); });
   // A window that is not drawn yet takes no focus, and there is no window manager that would give it later.
   eventually([&] {
     screen_.hand("windowfocus " + window_);
