@@ -22,6 +22,7 @@
 namespace shadertwin::twin {
 namespace {
 
+// What threads share out: squares of so many pixels, whole packets each.
 constexpr int tile = 16;
 
 // What a pass draws into: as many pictures as Rounds says.
@@ -355,10 +356,15 @@ class TwinPlayerImpl final : public TwinPlayer {
       }
       return draw_rectangle(region.x, region.y, region.x + region.width, region.y + region.height);
     }
-    const oneapi::tbb::blocked_range2d<int> pixels(region.y, region.y + region.height, tile, region.x,
-                                                   region.x + region.width, tile);
-    oneapi::tbb::parallel_for(pixels, [&](const oneapi::tbb::blocked_range2d<int>& part) {
-      draw_rectangle(part.cols().begin(), part.rows().begin(), part.cols().end(), part.rows().end());
+    const int x_end = region.x + region.width;
+    const int y_end = region.y + region.height;
+    const auto tiles_to = [](int end) { return (end + tile - 1) / tile; };
+    const oneapi::tbb::blocked_range2d<int> tiles(region.y / tile, tiles_to(y_end), region.x / tile,
+                                                  tiles_to(x_end));
+    oneapi::tbb::parallel_for(tiles, [&](const oneapi::tbb::blocked_range2d<int>& part) {
+      draw_rectangle(std::max(part.cols().begin() * tile, region.x),
+                     std::max(part.rows().begin() * tile, region.y),
+                     std::min(part.cols().end() * tile, x_end), std::min(part.rows().end() * tile, y_end));
     });
   }
 
