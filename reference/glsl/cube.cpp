@@ -82,6 +82,11 @@ Neighbour across(int face, int edge, int x, int y, int last) {
   }
 }
 
+// A face's coordinate in texels, counted from the centre of the first.
+float texel_position(float coordinate, const TextureLevel& level) {
+  return detail::first_if_greater(coordinate, 0.0F) * static_cast<float>(level.width) - 0.5F;
+}
+
 }  // namespace
 
 CubePoint cube_point(const float* direction) {
@@ -113,11 +118,18 @@ float cube_footprint(const TextureView& view, const float* direction, const floa
   return footprint < detail::infinity ? footprint : 0.0F;
 }
 
-Color cube_linear(const TextureView& view, const TextureLevel& level, const CubePoint& point) {
+bool meets_corner(const TextureLevel& level, const CubePoint& point) {
+  const auto beyond = [&](float coordinate) {
+    const int first = down(texel_position(coordinate, level));
+    return first < 0 || first + 1 >= level.width;
+  };
+  return beyond(point.s) && beyond(point.t);
+}
+
+Color cube_linear(const TextureView& view, const TextureLevel& level, const CubePoint& point, bool weighted) {
   const int last = level.width - 1;
-  const auto size = static_cast<float>(level.width);
-  const float x = detail::first_if_greater(point.s, 0.0F) * size - 0.5F;
-  const float y = detail::first_if_greater(point.t, 0.0F) * size - 0.5F;
+  const float x = texel_position(point.s, level);
+  const float y = texel_position(point.t, level);
   const int x0 = down(x);
   const int y0 = down(y);
   const float s = x - std::floor(x);
@@ -140,11 +152,11 @@ Color cube_linear(const TextureView& view, const TextureLevel& level, const Cube
     }
     texel[i] = color_at(view, level, at.x, at.y, at.face);
   }
-  if (missing < 0) return blend(t, blend(s, texel[0], texel[1]), blend(s, texel[2], texel[3]));
+  if (missing < 0 && !weighted) return blend(t, blend(s, texel[0], texel[1]), blend(s, texel[2], texel[3]));
 
   // Only three texels meet in a corner of the cube: the fourth's weight is shared among them.
   float weight[4] = {(1.0F - s) * (1.0F - t), s * (1.0F - t), (1.0F - s) * t, s * t};
-  const float share = weight[missing] * (1.0F / 3.0F);
+  const float share = missing < 0 ? 0.0F : weight[missing] * (1.0F / 3.0F);
   for (int i = 0; i < 4; ++i) weight[i] = i == missing ? 0.0F : weight[i] + share;
   Color color;
   for (std::size_t c = 0; c < 4; ++c) {

@@ -203,7 +203,11 @@ CubePoint cube_point(const float* direction);
 // LodRequest::footprint on the face that `direction` meets.
 float cube_footprint(const TextureView& view, const float* direction, const float* dx, const float* dy);
 
-// Linear filtering across the edges of faces.
-Color cube_linear(const TextureView& view, const TextureLevel& level, const CubePoint& point);
+// Whether linear filtering at `point` reaches beyond a corner of its face, where the cube has three texels.
+bool meets_corner(const TextureLevel& level, const CubePoint& point);
+
+// Linear filtering across the edges of faces. `weighted`: adds up weighted texels also where no corner is
+// met, as llvmpipe does as soon as one of the pixels that run together meets one.
+Color cube_linear(const TextureView& view, const TextureLevel& level, const CubePoint& point, bool weighted);
 
 }  // namespace shadertwin::glsl::filtering

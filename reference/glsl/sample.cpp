@@ -57,11 +57,11 @@ Levels choose_levels(const TextureView& view, const SamplerState& state, const L
     const float whole = std::floor(lod);
     levels.first = filtering::toward_zero(whole);
     levels.weight = lod - whole;
+    levels.second = levels.first + 1;
     if (levels.first < 0 || levels.first >= last) {
-      levels.first = levels.first < 0 ? 0 : last;
+      levels.first = levels.second = levels.first < 0 ? 0 : last;
       levels.weight = 0.0F;
     }
-    levels.second = std::min(levels.first + 1, last);
   }
   return levels;
 }
@@ -74,6 +74,7 @@ struct Sampler {
   const float* p;     // coordinates; of a cube those on `face`
   const int* offset;  // texels
   int face;
+  unsigned corners;  // LodRequest::corners
 
   bool power_of_two(int axis) const {
     const TextureLevel& base = view.level[0];
@@ -96,13 +97,15 @@ std::array<int, 3> nearest(const Sampler& s, const TextureLevel& level, bool who
 }
 
 template <Shape shape>
-Color color_of_level(const Sampler& s, const TextureLevel& level, bool linear) {
+Color color_of_level(const Sampler& s, int which, bool second, bool linear) {
+  const TextureLevel& level = s.view.level[which];
   if (!linear) {
     const auto [x, y, z] = nearest<shape>(s, level, false);
     return filtering::color_at(s.view, level, x, y, z);
   }
   if constexpr (shape == Shape::cube) {
-    return filtering::cube_linear(s.view, level, {s.face, s.p[0], s.p[1]});
+    const bool weighted = ((s.corners >> (second ? 1 : 0)) & 1U) != 0;
+    return filtering::cube_linear(s.view, level, {s.face, s.p[0], s.p[1]}, weighted);
   } else {
     const auto x = filtering::linear_texels(s.p[0], level.width, s.offset[0], s.wrap, s.power_of_two(0));
     const auto y = filtering::linear_texels(s.p[1], level.height, s.offset[1], s.wrap, s.power_of_two(1));
@@ -141,11 +144,16 @@ Bytes bytes_of_level(const Sampler& s, const TextureLevel& level, bool linear) {
 
 // --- The whole --------------------------------------------------------------
 
+bool uses_linear(const SamplerState& state, const Levels& levels) {
+  const bool minifies = state.min_linear == state.mag_linear || levels.minified;
+  return minifies ? state.min_linear : state.mag_linear;
+}
+
 template <Shape shape>
 void sample(const TextureView& view, const SamplerState& state, const float* coordinates, const int* offset,
             const LodRequest& request, float* rgba) {
   const Levels levels = choose_levels(view, state, request);
-  Sampler sampler{view, state.wrap, coordinates, offset, 0};
+  Sampler sampler{view, state.wrap, coordinates, offset, 0, request.corners};
   float on_face[2];
   if constexpr (shape == Shape::cube) {
     const filtering::CubePoint point = filtering::cube_point(coordinates);
@@ -156,7 +164,7 @@ void sample(const TextureView& view, const SamplerState& state, const float* coo
     sampler.wrap = SamplerState::Wrap::clamp;
   }
   const bool same = state.min_linear == state.mag_linear;
-  const bool linear = same || levels.minified ? state.min_linear : state.mag_linear;
+  const bool linear = uses_linear(state, levels);
   const bool second = (same || levels.minified) && levels.weight > 0.0F;
 
   // llvmpipe filters RGBA8 with 8 bits of weight where the wrap is simple, no cube's edge has to be crossed,
@@ -174,10 +182,10 @@ void sample(const TextureView& view, const SamplerState& state, const float* coo
     }
     color = filtering::to_color(bytes);
   } else {
-    color = color_of_level<shape>(sampler, view.level[levels.first], linear);
+    color = color_of_level<shape>(sampler, levels.first, false, linear);
     if (second) {
-      color = filtering::blend(levels.weight, color,
-                               color_of_level<shape>(sampler, view.level[levels.second], linear));
+      color =
+          filtering::blend(levels.weight, color, color_of_level<shape>(sampler, levels.second, true, linear));
     }
   }
   std::copy(color.begin(), color.end(), rgba);
@@ -204,9 +212,18 @@ float footprint(const TextureView& view, const float* coordinates, const float* 
   return of_quad || longer < detail::infinity ? longer : 0.0F;
 }
 
-constexpr Sampling flat_sampling{&sample<Shape::flat>, &footprint<Shape::flat>};
-constexpr Sampling volume_sampling{&sample<Shape::volume>, &footprint<Shape::volume>};
-constexpr Sampling cube_sampling{&sample<Shape::cube>, &footprint<Shape::cube>};
+unsigned corners(const TextureView& view, const SamplerState& state, const float* coordinates,
+                 const LodRequest& request) {
+  const Levels levels = choose_levels(view, state, request);
+  if (!uses_linear(state, levels)) return 0;
+  const filtering::CubePoint point = filtering::cube_point(coordinates);
+  return (filtering::meets_corner(view.level[levels.first], point) ? 1U : 0U) |
+         (filtering::meets_corner(view.level[levels.second], point) ? 2U : 0U);
+}
+
+constexpr Sampling flat_sampling{&sample<Shape::flat>, &footprint<Shape::flat>, nullptr};
+constexpr Sampling volume_sampling{&sample<Shape::volume>, &footprint<Shape::volume>, nullptr};
+constexpr Sampling cube_sampling{&sample<Shape::cube>, &footprint<Shape::cube>, &corners};
 
 }  // namespace
 

@@ -42,6 +42,7 @@ struct LodRequest {
   float footprint = 0.0F;  // square of the longer of a pixel's two steps, in texels
   float level = 0.0F;      // the level, or the bias
   bool own = false;        // the footprint is one pixel's, not its quad's
+  unsigned corners = 0;    // Sampling::corners of all pixels that run together
 };
 
 struct Sampling {
@@ -50,6 +51,10 @@ struct Sampling {
   // LodRequest::footprint for derivatives of the coordinates along x and y.
   float (*footprint)(const TextureView& view, const float* coordinates, const float* dx, const float* dy,
                      bool of_quad);
+  // Cubes only: whether linear filtering meets a corner of the cube, bit 0 for the first of the two levels
+  // that may be blended, bit 1 for the second.
+  unsigned (*corners)(const TextureView& view, const SamplerState& state, const float* coordinates,
+                      const LodRequest& lod);
 };
 
 struct BoundTexture {
@@ -93,7 +98,7 @@ SHADERTWIN_INLINE T fwidth(const Quad<T>& quad, int lane) {
 
 // --- Level of detail --------------------------------------------------------
 
-// The level that a quad's coordinates ask for, shared by its four pixels. Lod{} is the base level, magnified.
+// The level that a quad's coordinates ask for. Lod{} is the base level, magnified.
 struct Lod {
   float footprint = 0.0F;
 };
@@ -131,16 +136,17 @@ SHADERTWIN_INLINE Coordinates coordinates(vec3 p) {
 }
 
 template <class Vector>
-Lod lod_of_quad(const BoundTexture& bound, const Quad<Vector>& p) {
+Lod lod_from_steps(const BoundTexture& bound, const Quad<Vector>& p, int lane, bool of_quad) {
   if (bound.view == nullptr) return {};
-  const Coordinates at[3] = {coordinates(p.v[0]), coordinates(p.v[1]), coordinates(p.v[2])};
+  const Coordinates at[4] = {coordinates(p.v[0]), coordinates(p.v[1]), coordinates(p.v[2]),
+                             coordinates(p.v[3])};
   float dx[3];
   float dy[3];
   for (int i = 0; i < 3; ++i) {
-    dx[i] = at[1].v[i] - at[0].v[i];
-    dy[i] = at[2].v[i] - at[0].v[i];
+    dx[i] = at[lane | 1].v[i] - at[lane & 2].v[i];
+    dy[i] = at[lane | 2].v[i] - at[lane & 1].v[i];
   }
-  return {bound.sampling->footprint(*bound.view, at[0].v, dx, dy, true)};
+  return {bound.sampling->footprint(*bound.view, at[lane].v, dx, dy, of_quad)};
 }
 
 template <class Vector>
@@ -200,14 +206,15 @@ inline vec4 fetched(const BoundTexture& bound, ivec3 p, int lod) {
 
 }  // namespace detail
 
-inline Lod implicit_lod(const sampler2D& s, const Quad<vec2>& p) {
-  return detail::lod_of_quad(s.bound, p);
+// The four pixels of a quad share the level of its first, but for cubes: there each has its own.
+inline Lod implicit_lod(const sampler2D& s, const Quad<vec2>& p, int /*lane*/) {
+  return detail::lod_from_steps(s.bound, p, 0, true);
 }
-inline Lod implicit_lod(const sampler3D& s, const Quad<vec3>& p) {
-  return detail::lod_of_quad(s.bound, p);
+inline Lod implicit_lod(const sampler3D& s, const Quad<vec3>& p, int /*lane*/) {
+  return detail::lod_from_steps(s.bound, p, 0, true);
 }
-inline Lod implicit_lod(const samplerCube& s, const Quad<vec3>& p) {
-  return detail::lod_of_quad(s.bound, p);
+inline Lod implicit_lod(const samplerCube& s, const Quad<vec3>& p, int lane) {
+  return detail::lod_from_steps(s.bound, p, lane, false);
 }
 
 // --- GLSL's functions -------------------------------------------------------

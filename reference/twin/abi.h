@@ -7,7 +7,7 @@
 namespace shadertwin::twin {
 
 // Changes whenever a twin compiled before the change can't be run any more.
-constexpr int abi_version = 2;
+constexpr int abi_version = 3;
 
 // The value of a uniform, by name.
 struct UniformValue {

@@ -81,7 +81,7 @@ struct Invocation : twin::Checks {
   template <class Sampler, class P>
   Lod lod(const Sampler& s, const P& p, int place) {
     if (quad_ == nullptr || !needs_lod(s)) return Lod{};
-    return implicit_lod(s, exchange(p, place));
+    return implicit_lod(s, exchange(p, place), lane_);
   }
 
   // The value that each pixel of the quad has here. One that did not come here (it has ended, or took another

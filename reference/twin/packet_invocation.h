@@ -90,6 +90,23 @@ struct Invocation {
         mask, [&](int i) { return glsl::textureProjOffset(s, lane__(p, i), lods[i], lane__(rest, i)...); });
   }
 
+  // Cubes, where a pixel beside a corner changes what is computed for all eight.
+  template <class P, class... Bias>
+  vec4 texture(Bool mask, const samplerCube& s, const P& p, const Bias&... bias) {
+    const Lods lods(s, [&](int i) { return lane__(p, i); });
+    return read_cube(mask, s, p, [&](int i) { return glsl::detail::request(lods[i], lane__(bias, i)...); });
+  }
+  template <class P, class Level>
+  vec4 textureLod(Bool mask, const samplerCube& s, const P& p, const Level& level) {
+    return read_cube(mask, s, p, [&](int i) { return glsl::detail::request(lane__(level, i)); });
+  }
+  template <class P, class X, class Y>
+  vec4 textureGrad(Bool mask, const samplerCube& s, const P& p, const X& dx, const Y& dy) {
+    return read_cube(mask, s, p, [&](int i) {
+      return glsl::detail::request(s.bound, lane__(p, i), lane__(dx, i), lane__(dy, i));
+    });
+  }
+
 #define SHADERTWIN_READ(name)                                                                \
   template <class Sampler, class... Arguments>                                               \
   auto name(Bool mask, const Sampler& s, const Arguments&... arguments) {                    \
@@ -121,24 +138,43 @@ struct Invocation {
   friend class PixelLoop;
 
  private:
-  // The level of detail of each of the two squares.
+  // The level of detail of each pixel.
   class Lods {
    public:
     template <class Sampler, class Coordinates>
     Lods(const Sampler& s, const Coordinates& coordinates) {
       if (!needs_lod(s)) return;
       using P = decltype(coordinates(0));
-      for (int quad = 0; quad < 2; ++quad) {
-        const int first = 4 * quad;
-        lod_[quad] = implicit_lod(s, Quad<P>{{coordinates(first), coordinates(first + 1),
-                                              coordinates(first + 2), coordinates(first + 3)}});
+      constexpr bool shared = !std::is_same_v<Sampler, samplerCube>;
+      for (int first = 0; first < lanes; first += 4) {
+        const Quad<P> quad{
+            {coordinates(first), coordinates(first + 1), coordinates(first + 2), coordinates(first + 3)}};
+        for (int i = 0; i < 4; ++i)
+          lod_[first + i] = shared && i > 0 ? lod_[first] : implicit_lod(s, quad, i);
       }
     }
-    const Lod& operator[](int lane) const { return lod_[lane / 4]; }
+    const Lod& operator[](int lane) const { return lod_[lane]; }
 
    private:
-    Lod lod_[2];
+    Lod lod_[lanes];
   };
+
+  template <class P, class Request>
+  static vec4 read_cube(Bool mask, const samplerCube& s, const P& p, const Request& request) {
+    if (s.bound.view == nullptr) return vec4(0.0F, 0.0F, 0.0F, 1.0F);
+    LodRequest requests[lanes];
+    unsigned corners = 0;
+    // Pixels that do not take part count too: llvmpipe looks at what is left in their registers.
+    for (int i = 0; i < lanes; ++i) {
+      requests[i] = request(i);
+      const auto at = glsl::detail::coordinates(lane__(p, i));
+      corners |= s.bound.sampling->corners(*s.bound.view, s.bound.state, at.v, requests[i]);
+    }
+    return each_lane__(mask, [&](int i) {
+      requests[i].corners = corners;
+      return glsl::detail::sampled(s.bound, lane__(p, i), requests[i]);
+    });
+  }
 
   std::jmp_buf end_;
   const std::atomic<bool>* stop_ = nullptr;
@@ -158,10 +194,10 @@ class PixelLoop {
 
   void run() {
     const FlushDenormals denormals;
-    // Squares stand on even pixels, whatever the rectangle.
-    for (int y = request_.y0 & ~1; y < request_.y1; y += packet_height) {
+    // Packets stand on multiples of their size, whatever the rectangle.
+    for (int y = request_.y0 & -packet_height; y < request_.y1; y += packet_height) {
       if (request_.stop->load(std::memory_order_relaxed)) return;
-      for (int x = request_.x0 & ~1; x < request_.x1; x += packet_width) packet(x, y);
+      for (int x = request_.x0 & -packet_width; x < request_.x1; x += packet_width) packet(x, y);
     }
   }
 
