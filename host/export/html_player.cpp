@@ -8,6 +8,7 @@
 #include "host/export/page.h"
 #include "host/image/image.h"
 #include "host/player/inputs.h"
+#include "host/player/rounds.h"
 
 namespace shadertwin {
 
@@ -37,14 +38,17 @@ const char* name_of(const std::array<const char*, size>& names, Enum value) {
 
 class Describer {
  public:
-  explicit Describer(const Project& project) : project_(project) {}
+  explicit Describer(const Project& project) : project_(project), rounds_(project) {}
 
   Json describe() {
     Json passes = Json::array();
-    for (const Pass& pass : project_.passes) passes.push_back(describe(pass));
+    for (std::size_t i = 0; i < project_.passes.size(); ++i)
+      passes.push_back(describe(project_.passes[i], rounds_.pictures(i)));
     Json uniforms = Json::array();
     for (const CustomUniform& uniform : project_.uniforms) uniforms.push_back(describe(uniform));
     return {{"site", project_.dialect == Dialect::shadertoy},
+            {"quirks", project_.vscode_quirks},
+            {"muted", project_.muted},
             {"flies", project_.first_person_controls},
             {"files", project_.files},
             {"passes", passes},
@@ -53,15 +57,20 @@ class Describer {
   }
 
  private:
-  Json describe(const Pass& pass) {
+  Json describe(const Pass& pass, std::size_t pictures) {
     Json inputs = Json::array();
     for (std::size_t i = 0; i < pass.inputs.size(); ++i)
-      if (pass.inputs[i].wanted() == InputKind::pass || pass.inputs[i].kind != InputKind::none)
-        inputs.push_back(describe(pass.inputs[i], static_cast<int>(i)));
-    return {{"name", pass.name},         {"kind", name_of(pass_kind_names, pass.kind)},
-            {"keyboard", pass.keyboard}, {"vertex", pass.vertex ? describe(*pass.vertex) : Json()},
-            {"head", pass.source.head},  {"body", pass.source.body},
-            {"tail", pass.source.tail},  {"lines", runs(pass.source.lines)},
+      if (const Input input = bound_input(pass, i); input.wanted() != InputKind::none)
+        inputs.push_back(describe(input, static_cast<int>(i)));
+    return {{"name", pass.name},
+            {"kind", name_of(pass_kind_names, pass.kind)},
+            {"pictures", pictures},
+            {"keyboard", pass.keyboard},
+            {"vertex", pass.vertex ? describe(*pass.vertex) : Json()},
+            {"head", pass.source.head},
+            {"body", pass.source.body},
+            {"tail", pass.source.tail},
+            {"lines", runs(pass.source.lines)},
             {"inputs", inputs}};
   }
 
@@ -106,8 +115,8 @@ class Describer {
     const Sampler& sampler = input.sampler;
     return {{"channel", channel},
             {"kind", name_of(kind_names, input.kind)},
+            {"missing", name_of(kind_names, input.missing)},
             {"pass", input.pass},
-            {"blank", input.missing == InputKind::pass},
             {"media", media},
             {"size", {size.x, size.y, size.z}},
             {"min", name_of(min_names, sampler.min)},
@@ -163,6 +172,7 @@ class Describer {
   }
 
   const Project& project_;
+  Rounds rounds_;
   Json media_ = Json::array();
   std::map<std::string, std::size_t> media_index_;
 };

@@ -27,10 +27,12 @@ function mouseSteps(texts) {
   });
 }
 
+// "KEY[@FRAME[-RELEASE]]", likewise.
 function keySteps(texts) {
   return texts.map((text) => {
-    const [key, frame] = text.split('@');
-    return { key: key.length === 1 ? key : key[0].toUpperCase() + key.slice(1), frame: Number(frame ?? 0) };
+    const [key, frames = '0'] = text.split('@');
+    const [frame, release] = frames.split('-').map(Number);
+    return { key: key.length === 1 ? key : key[0].toUpperCase() + key.slice(1), frame, release };
   });
 }
 
@@ -47,7 +49,12 @@ export async function playFrames(page, { frames, fps = 60, mouse = [], keys = []
       if (step.down !== down) await (step.down ? page.mouse.down() : page.mouse.up());
       down = step.down;
     }
-    for (const { key } of keySteps(keys).filter((s) => s.frame === frame)) await page.keyboard.down(key);
+    const steps = keySteps(keys);
+    for (const { key } of steps.filter((s) => s.release === frame && s.frame < frame)) await page.keyboard.up(key);
+    for (const { key, release } of steps.filter((s) => s.frame === frame)) {
+      await page.keyboard.down(key);
+      if (release === frame) await page.keyboard.up(key);
+    }
     await page.evaluate(([now, seconds]) => window.shadertwin.step(now, [2024, 0, 1, seconds]), [
       (1000 * frame) / fps,
       frame / fps,
@@ -68,10 +75,10 @@ export async function readPass(page, name) {
 }
 
 // The same frames by the command line; `output` is an .exr that is written.
-export function renderPass(shader, pass, { size, frames, fps = 60, mouse = [], keys = [] }, output) {
+export function renderPass(shader, pass, { size, frames, fps = 60, mouse = [], keys = [], options = [] }, output) {
   execFileSync(shadertwin, [
     'render', shader, '--quiet', '--on', 'egl/fragment', '--pass', pass, '--size', size.join('x'),
-    '--frames', String(frames), '--fps', String(fps), '-o', output,
+    '--frames', String(frames), '--fps', String(fps), '-o', output, ...options,
     ...mouse.flatMap((text) => ['--mouse', text]),
     ...keys.flatMap((text) => ['--keys', text]),
   ]);

@@ -20,12 +20,12 @@ after(async () => {
 });
 
 // files: name -> text. The page of the folder of tabs, or of the file `entry` in it.
-async function open(name, files, { hash = '', entry = '' } = {}) {
+async function open(name, files, { hash = '', entry = '', options = [] } = {}) {
   const project = path.join(folder, name);
   mkdirSync(project);
   for (const [file, text] of Object.entries(files)) writeFileSync(path.join(project, file), text);
   const html = path.join(folder, `${name}.html`);
-  execFileSync(shadertwin, ['export', path.join(project, entry), '--quiet', '--to', 'html', '-o', html]);
+  execFileSync(shadertwin, ['export', path.join(project, entry), '--quiet', '--to', 'html', '-o', html, ...options]);
   const page = await openPage(browser, { width: 320, height: 216 });
   await page.goto(`file://${html}${hash}`);
   page.messages = await page.evaluate(() => window.shadertwin.ready);
@@ -68,6 +68,50 @@ test('pause stops time and frames, reset starts again from cleared buffers', asy
   await page.click('#reset');
   await page.evaluate(() => window.shadertwin.step(0));
   assert.deepEqual((await texel(page)).slice(0, 2), [1, 0]);
+});
+
+test('reset clears the mipmaps of a buffer, too', async () => {
+  const page = await open(
+    'mipmaps',
+    {
+      'image.glsl': showBuffer,
+      'buffer_a.glsl': `${head}{ c = vec4(textureLod(iChannel0, vec2(0.5), 3.0).x, iFrame, 0.0, 0.0); }\n`,
+      'buffer_b.glsl': `${head}{ c = vec4(1.0); }\n`,
+      'shadertoy.json': JSON.stringify({
+        Image: { iChannel0: { buffer: 'Buffer A' } },
+        'Buffer A': { iChannel0: { buffer: 'Buffer B', filter: 'mipmap' } },
+      }),
+    },
+    { hash: '#paused' },
+  );
+  for (const expected of [0, 1]) {
+    await page.evaluate((now) => window.shadertwin.step(now), 20 * expected);
+    assert.deepEqual((await texel(page)).slice(0, 2), [expected, expected]);
+  }
+  await page.evaluate(() => window.shadertwin.reset());
+  await page.evaluate(() => window.shadertwin.step(40));
+  assert.deepEqual((await texel(page)).slice(0, 2), [0, 0]);
+});
+
+test('with the quirks of VS Code a resize restarts, and iChannelResolution stays', async () => {
+  const page = await open(
+    'quirks',
+    {
+      'main.glsl': `#iChannel0 "buffer.glsl"\n#iChannel1 "self"\n${head}{ c = vec4(iChannelResolution[0].xy, iFrame, textureSize(iChannel0, 0).x); }\n`,
+      'buffer.glsl': `${head}{ c = vec4(1.0); }\n`,
+    },
+    { hash: '#paused', entry: 'main.glsl', options: ['--vscode-quirks'] },
+  );
+  const values = async () => [...(await readPass(page, 'main')).rgba.subarray(0, 4)];
+  for (const now of [0, 20]) await page.evaluate((time) => window.shadertwin.step(time), now);
+  assert.deepEqual(await values(), [320, 180, 1, 320]);
+  await page.setViewportSize({ width: 400, height: 236 });
+  await page.waitForFunction(() => document.querySelector('canvas').width === 400);
+  await page.evaluate(() => window.shadertwin.step(40));
+  assert.deepEqual(await values(), [320, 180, 0, 400]);
+  await page.evaluate(() => window.shadertwin.reset());
+  await page.evaluate(() => window.shadertwin.step(60));
+  assert.deepEqual(await values(), [400, 200, 0, 400]);
 });
 
 test('iDate is local time with months from 0', async () => {

@@ -43,7 +43,7 @@ for (const name of readdirSync(probes).filter((name) => name.includes(process.en
   test(`${name}: ${probe.fact}`, async (t) => {
     const shader = path.join(probes, name, probe.shader ?? '');
     const page = path.join(folder, `${name}.html`);
-    execFileSync(shadertwin, ['export', shader, '--quiet', '--to', 'html', '-o', page]);
+    execFileSync(shadertwin, ['export', shader, '--quiet', '--to', 'html', '-o', page, ...(probe.options ?? [])]);
     const player = await openPlayer(browser, page, probe.size);
     assert.deepEqual(player.messages, []);
     await playFrames(player, probe);

@@ -4,6 +4,7 @@ class Hands {
   constructor(canvas, project) {
     this.canvas = canvas;
     this.site = project.site;
+    this.quirks = project.quirks;
     this.flies = project.flies;
     this.usesKeys = this.flies || project.passes.some((pass) => pass.keyboard || pass.inputs.some((i) => i.kind === 'keyboard'));
     this.keys = new Uint8Array(4 * 256); // rows: held, pressed, toggled, released
@@ -18,21 +19,23 @@ class Hands {
   }
 
   forget() {
-    this.position = [0, 0];
-    this.pressedAt = [0, 0];
-    this.down = this.pressed = false;
+    this.position = this.quirks ? [-1, -1] : [0, 0];
+    this.pressedAt = this.quirks ? [1, 1] : [0, 0];
+    this.down = this.pressed = this.released = false;
     this.look = [0, 0];
     this.camera = new FlyCamera();
     this.buttons = 0;
     this.keys.fill(0);
   }
 
-  // Whole pixels from the lower left; the top row is the height, as the page measures y from the top.
+  // Whole pixels from the lower left; the top row is the height, as the page measures y from the top. The extension
+  // has neither whole pixels nor limits.
   place({ clientX, clientY }) {
     const box = this.canvas.getBoundingClientRect();
     const { width, height } = this.canvas;
-    const x = Math.floor(((clientX - box.left) / box.width) * width);
-    const y = Math.floor(height - ((clientY - box.top) / box.height) * height);
+    const place = [((clientX - box.left) / box.width) * width, height - ((clientY - box.top) / box.height) * height];
+    if (this.quirks) return place;
+    const [x, y] = place.map(Math.floor);
     return [Math.min(Math.max(x, 0), width - 1), Math.min(Math.max(y, 1), height)];
   }
 
@@ -41,6 +44,7 @@ class Hands {
     this.canvas.setPointerCapture(event.pointerId);
     this.position = this.pressedAt = this.place(event);
     this.down = this.pressed = true;
+    this.released = false;
     this.look = [0, 0];
     this.buttons = event.buttons;
   }
@@ -53,8 +57,13 @@ class Hands {
   }
 
   release(event) {
-    if (!event.isPrimary) return;
+    if (event.isPrimary) this.letGoOfMouse();
+  }
+
+  letGoOfMouse() {
+    this.released = this.down && !this.pressed;
     this.down = false;
+    if (this.quirks) this.pressed = false;
     this.look = [0, 0];
     this.buttons = 0;
   }
@@ -78,9 +87,7 @@ class Hands {
   }
 
   letGo() {
-    this.down = false;
-    this.look = [0, 0];
-    this.buttons = 0;
+    this.letGoOfMouse();
     for (let code = 0; code < 256; ++code) this.keyUp(code);
   }
 
@@ -89,15 +96,16 @@ class Hands {
     if (this.flies) this.camera.step(this.keys, this.look);
   }
 
-  // What the next frame sees. z is positive while the mouse is down, w only in the first frame of a press.
+  // What the next frame sees. z is positive while the mouse is down, w only in the first frame of a press, and in the
+  // extension in the first one after it.
   frame() {
     const [x, y] = this.pressedAt;
-    const mouse = [...this.position, this.down ? x : -x, this.pressed ? y : -y];
+    const mouse = [...this.position, this.down ? x : -x, this.pressed || (this.quirks && this.released) ? y : -y];
     return { mouse, buttons: [this.buttons & 1, (this.buttons >> 1) & 1, 0, 0], keys: this.keys, view: this.camera.matrix() };
   }
 
   endFrame() {
-    this.pressed = false;
+    this.pressed = this.released = false;
     this.keys.fill(0, 256, 512);
     this.keys.fill(0, 768);
   }

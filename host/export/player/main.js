@@ -18,6 +18,11 @@ function localDate() {
   return [now.getFullYear(), now.getMonth(), now.getDate(), seconds];
 }
 
+// iTimeDelta where there is nothing to measure. The extension says 0 in its first frame and while it is paused.
+function unmeasured(still) {
+  return project.quirks && still ? 0 : 1 / 60;
+}
+
 class Clock {
   constructor(start) {
     this.start = start;
@@ -40,7 +45,7 @@ class Clock {
 
   // now: milliseconds of any clock. Gives iTimeDelta.
   tick(now) {
-    const delta = this.last === null ? 1 / 60 : (now - this.last) / 1000;
+    const delta = this.last === null ? unmeasured(this.frame === 0) : (now - this.last) / 1000;
     if (this.last === null) [this.origin, this.base] = [now, this.time];
     this.time = this.base + (now - this.origin) / 1000;
     this.last = now;
@@ -77,9 +82,10 @@ class Player {
     new ResizeObserver(() => this.fit()).observe(canvas.parentElement);
     this.fit();
     this.showState();
-    const sound = project.passes.find((pass) => pass.kind === 'sound');
+    const sound = !project.muted && project.passes.find((pass) => pass.kind === 'sound');
     const { sounds } = this.renderer;
-    find('sound').hidden = !sound && !project.passes.some((pass) => pass.inputs.some((i) => i.kind === 'music'));
+    find('sound').hidden =
+      !sound && (project.muted || !project.passes.some((pass) => pass.inputs.some((i) => i.kind === 'music' || i.kind === 'video')));
     document.body.classList.toggle('muted', sounds.muted);
     if (sound) this.startSound(sound);
     requestAnimationFrame((now) => this.loop(now));
@@ -101,7 +107,7 @@ class Player {
     this.renderer.resize(width, height);
     find('size').textContent = `${width} × ${height}`;
     if (!project.site) this.clock.frame = 0;
-    if (this.paused && this.clock.frame > 0) this.draw(1 / 60, localDate());
+    if (this.paused && this.clock.frame > 0) this.draw(unmeasured(true), localDate());
   }
 
   draw(timeDelta, date) {
@@ -138,13 +144,13 @@ class Player {
   reset() {
     this.clock.reset();
     this.hands.camera = new FlyCamera();
-    for (const { element } of this.renderer.media) if (element) element.currentTime = 0;
+    for (const { element } of this.renderer.media.values()) if (element) element.currentTime = 0;
     if (!this.paused) this.track?.play(this.clock.time);
   }
 
   showState() {
     document.body.classList.toggle('paused', this.paused);
-    for (const { element } of this.renderer.media)
+    for (const { element } of this.renderer.media.values())
       if (this.paused) element?.pause();
       else element?.play().catch(() => {});
   }
@@ -176,7 +182,7 @@ addEventListener('keydown', (event) => {
   if (event.key === 'ArrowDown') player.reset();
   else player.pause(!player.paused);
 });
-showUniforms(project.uniforms, () => player.paused && player.clock.frame > 0 && player.draw(1 / 60, localDate()));
+showUniforms(project.uniforms, () => player.paused && player.clock.frame > 0 && player.draw(unmeasured(true), localDate()));
 
 window.shadertwin = {
   ready: player.ready, // the compiler's messages, none if all is well

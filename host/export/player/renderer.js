@@ -46,10 +46,13 @@ class Renderer {
     this.canvas = canvas;
     this.project = project;
     this.passes = project.passes;
+    this.passes.forEach((pass, index) => Object.assign(pass, { index }));
+    this.rounds = new Rounds(this.passes.map((pass) => pass.pictures), project.quirks);
     this.drawn = this.passes.filter((pass) => pass.kind !== 'sound');
     this.shown = this.passes.at(-1);
     this.sounds = new Sounds();
-    this.media = [];
+    this.media = new Map();
+    this.blanks = new Map();
   }
 
   // Compiles and loads. Gives the compiler's messages; with any, nothing can be drawn.
@@ -67,6 +70,9 @@ class Renderer {
       for (const input of pass.inputs) await this.loadInput(input);
     }
     if (this.passes.some((pass) => pass.keyboard)) this.needKeyboard();
+    // The extension's empty channels are (0, 0, 0, 0), where a browser's are (0, 0, 0, 1).
+    if (this.project.quirks)
+      for (const kind of [gl.TEXTURE_2D, gl.TEXTURE_CUBE_MAP, gl.TEXTURE_3D]) this.blanks.set(kind, makeBlank(gl, kind));
     return [];
   }
 
@@ -101,7 +107,6 @@ class Renderer {
       mipmaps: readers.some((input) => input.mipmaps),
       size: null,
       pictures: [],
-      front: 0,
     };
   }
 
@@ -114,15 +119,25 @@ class Renderer {
   async loadInput(input) {
     const { gl, project } = this;
     input.sampler = makeSampler(gl, input);
-    if (input.kind === 'keyboard') Object.assign(input, this.needKeyboard());
-    else if (input.kind === 'music' || input.kind === 'microphone')
-      input.source = await startSound(gl, input, project.media, this.sounds, !project.site);
-    else if (input.kind === 'video' || input.kind === 'webcam') input.source = await startVideo(gl, input, project.media);
+    const kind = input.kind === 'none' ? input.missing : input.kind;
+    if (kind === 'keyboard') Object.assign(input, { source: this.needKeyboard(), sampler: this.keyboard.sampler });
+    else if (kind === 'music' || kind === 'microphone' || input.kind === 'video' || input.kind === 'webcam')
+      input.source = await this.startMedium(input, kind);
     else if (input.media.length > 0) input.source = await uploadPicture(gl, input, project.media);
     // A buffer that is not there reads as one that was never drawn.
-    else if (input.blank) input.source = { ...makeTable(gl, 1, 1), update: undefined };
-    if (input.source?.update) this.media.push(input.source);
-    if (input.kind === 'keyboard') input.source = this.keyboard;
+    else if (kind === 'pass' && input.kind === 'none') input.source = makeTable(gl, 1, 1);
+  }
+
+  // What moves plays once, whatever number of channels reads it.
+  async startMedium(input, kind) {
+    const key = [kind, input.vflip, ...input.media].join();
+    if (!this.media.has(key)) {
+      const start = kind === 'music' || kind === 'microphone' ? startSound : startVideo;
+      this.media.set(key, await start(this.gl, input, this.project, this.sounds));
+    }
+    const source = this.media.get(key);
+    source.mipmaps ||= input.mipmaps;
+    return source;
   }
 
   // New targets keep, on shadertoy.com, the old pixels from the lower left corner up.
@@ -130,12 +145,12 @@ class Renderer {
     const { gl, canvas } = this;
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
-    for (const { target } of this.passes.filter((pass) => pass.target)) {
+    for (const { target, pictures } of this.passes.filter((pass) => pass.target)) {
       const cube = target.kind === gl.TEXTURE_CUBE_MAP;
       if (cube && target.size) continue;
       const size = cube ? [cubeSize, cubeSize] : [width, height];
       const old = target.size;
-      target.pictures = [0, 1].map((i) => this.makePicture(target, size, old && target.pictures[i], old));
+      target.pictures = Array.from({ length: pictures }, (_, i) => this.makePicture(target, size, old && target.pictures[i], old));
       target.size = size;
     }
   }
@@ -160,23 +175,40 @@ class Renderer {
       previous.framebuffers.forEach((framebuffer) => gl.deleteFramebuffer(framebuffer));
       gl.deleteTexture(previous.texture);
     }
+    this.makeMipmaps(target, { texture });
     return { texture, framebuffers };
+  }
+
+  makeMipmaps(target, { texture }) {
+    const { gl } = this;
+    if (!target.mipmaps) return;
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(target.kind, texture);
+    gl.generateMipmap(target.kind);
   }
 
   clear() {
     const { gl } = this;
     for (const { target } of this.passes.filter((pass) => pass.target))
-      for (const framebuffer of target.pictures.flatMap((picture) => picture.framebuffers)) {
-        gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-        gl.clearBufferfv(gl.COLOR, 0, [0, 0, 0, 0]);
+      for (const picture of target.pictures) {
+        for (const framebuffer of picture.framebuffers) {
+          gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+          gl.clearBufferfv(gl.COLOR, 0, [0, 0, 0, 0]);
+        }
+        this.makeMipmaps(target, picture);
       }
   }
 
   // frame: index, time, timeDelta, frameRate, date, mouse, buttons, keys.
   draw(frame) {
+    const rehearsal = this.rounds.begin(frame, [this.canvas.width, this.canvas.height]);
     if (frame.index === 0) this.clear();
     this.keyboard?.update(frame.keys, !this.project.site);
-    for (const medium of this.media) medium.update();
+    for (const medium of this.media.values()) medium.refresh(frame);
+    if (rehearsal) {
+      for (const pass of this.drawn) this.drawPass(pass, rehearsal);
+      this.rounds.endRehearsal();
+    }
     for (const pass of this.drawn) this.drawPass(pass, frame);
     if (this.shown.target) this.show();
   }
@@ -186,7 +218,7 @@ class Renderer {
     const { gl } = this;
     for (let unit = 0; unit < keyboardUnit; ++unit) {
       gl.activeTexture(gl.TEXTURE0 + unit);
-      for (const kind of [gl.TEXTURE_2D, gl.TEXTURE_CUBE_MAP, gl.TEXTURE_3D]) gl.bindTexture(kind, null);
+      for (const kind of [gl.TEXTURE_2D, gl.TEXTURE_CUBE_MAP, gl.TEXTURE_3D]) gl.bindTexture(kind, this.blanks.get(kind) ?? null);
       gl.bindSampler(unit, null);
     }
     const sizes = new Float32Array(30);
@@ -194,10 +226,9 @@ class Renderer {
       const source = this.passes[input.pass];
       gl.activeTexture(gl.TEXTURE0 + input.channel);
       gl.bindSampler(input.channel, input.sampler);
-      if (source) gl.bindTexture(source.target.kind, source.target.pictures[source.target.front].texture);
+      if (source) gl.bindTexture(source.target.kind, this.pictureFor(pass, source).texture);
       else if (input.source) gl.bindTexture(input.source.target, input.source.texture);
-      if (input.kind === 'keyboard') gl.bindSampler(input.channel, this.keyboard.sampler);
-      sizes.set(source ? [...source.target.size, 1] : input.size, 3 * input.channel);
+      sizes.set(source ? [...this.reportedSize(source), 1] : (input.source?.size ?? input.size), 3 * input.channel);
     }
     if (this.keyboard) {
       gl.activeTexture(gl.TEXTURE0 + keyboardUnit);
@@ -207,10 +238,18 @@ class Renderer {
     return sizes;
   }
 
+  pictureFor(reader, source) {
+    return source.target.pictures[this.rounds.readBy(reader.index, source.index)];
+  }
+
+  reportedSize({ kind }) {
+    return kind === 'cubemap' ? [cubeSize, cubeSize] : this.rounds.reportedSize;
+  }
+
   setUniforms(pass, size, values) {
     const { gl } = this;
     const times = new Float32Array(4);
-    for (const input of pass.inputs) if (input.channel < 4) times[input.channel] = input.source?.element?.currentTime ?? 0;
+    for (const input of pass.inputs) if (input.channel < 4) times[input.channel] = input.source?.time?.() ?? 0;
     const all = {
       ...values,
       iResolution: [...size, 1],
@@ -245,7 +284,7 @@ class Renderer {
       iChannelResolution: this.bindInputs(pass),
     });
     gl.viewport(0, 0, ...size);
-    const back = target ? 1 - target.front : 0;
+    const back = this.rounds.target(pass.index);
     const framebuffers = target ? target.pictures[back].framebuffers : [null];
     for (const [face, framebuffer] of framebuffers.entries()) {
       gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
@@ -256,12 +295,13 @@ class Renderer {
       gl.drawArrays(gl.TRIANGLES, 0, pass.vertex ? 6 : 3);
       gl.disable(gl.CULL_FACE);
     }
-    if (!target) return;
-    target.front = back;
-    if (!target.mipmaps) return;
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(target.kind, target.pictures[back].texture);
-    gl.generateMipmap(target.kind);
+    this.rounds.drawn(pass.index);
+    if (target) this.makeMipmaps(target, target.pictures[back]);
+  }
+
+  // What a pass drew last.
+  last({ target, index }) {
+    return target.pictures[this.rounds.shown[index]];
   }
 
   show() {
@@ -269,7 +309,7 @@ class Renderer {
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.useProgram(this.copy);
     gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D, this.shown.target.pictures[this.shown.target.front].texture);
+    gl.bindTexture(gl.TEXTURE_2D, this.last(this.shown).texture);
     gl.bindSampler(0, null);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
@@ -280,7 +320,7 @@ class Renderer {
     const { gl, canvas } = this;
     const { target } = pass;
     const [width, height] = target?.size ?? [canvas.width, canvas.height];
-    const framebuffers = target ? target.pictures[target.front].framebuffers : [null];
+    const framebuffers = target ? this.last(pass).framebuffers : [null];
     const rgba = new Float32Array(4 * width * height * framebuffers.length);
     for (const [face, framebuffer] of framebuffers.entries()) {
       const part = rgba.subarray(4 * width * height * face, 4 * width * height * (face + 1));

@@ -89,3 +89,12 @@ function makeTable(gl, width, height) {
     },
   };
 }
+
+// One texel of nothing.
+function makeBlank(gl, target) {
+  const texture = gl.createTexture();
+  gl.bindTexture(target, texture);
+  if (target === gl.TEXTURE_3D) gl.texStorage3D(target, 1, gl.RGBA8, 1, 1, 1);
+  else gl.texStorage2D(target, 1, gl.RGBA8, 1, 1);
+  return texture;
+}
