@@ -193,7 +193,12 @@ void Compiler::compile(const std::string& source, const fs::path& object,
   if (const fs::path headers = precompiled_header(header, list); !headers.empty())
     list.insert(list.end(), {"-include", headers.string()});
   list.insert(list.end(), {"-o", result.string(), text.string()});
-  const ProcessResult run = run_process(program_, list);
+  ProcessResult run = run_process(program_, list);
+  // GCC 12 dies of some shaders where it packs scalars into vectors, which changes no bits.
+  if (run.status != 0 && run.output.find("internal compiler error") != std::string::npos) {
+    list.emplace_back("-fno-tree-slp-vectorize");
+    run = run_process(program_, list);
+  }
   std::error_code failed;
   if (run.status == -1) {
     fs::remove(text, failed);

@@ -174,6 +174,17 @@ TEST_F(Player, CompilerThatFailsLeavesTheTextAndNamesIt) {
   }
 }
 
+TEST_F(Player, CompilerThatDiesOfAShaderIsAskedForLess) {
+  const Setting cache("XDG_CACHE_HOME", folder.path());
+  const fs::path compiler = folder.write(
+      "fragile",
+      "#!/bin/sh\ncase \"$*\" in\n*no-tree-slp-vectorize*|*c++-header*) exec c++ \"$@\" ;;\nesac\n"
+      "echo 'x.h:1:1: internal compiler error: Segmentation fault' >&2\nexit 1\n");
+  fs::permissions(compiler, fs::perms::owner_all);
+  const Setting choice("CXX", compiler);
+  EXPECT_EQ(played(project(position)).at(3, 2)[0], 3.5F);
+}
+
 TEST_F(Player, RefusedShaderNamesTheUsersLine) {
   try {
     played(project("void mainImage(out vec4 c, in vec2 p) {\n  c = p;\n}\n"));
