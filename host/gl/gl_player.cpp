@@ -322,7 +322,8 @@ class GlPlayerImpl final : public GlPlayer {
     gl_.ClearBufferfv(GL_COLOR, 0, zero.data());
   }
 
-  // New targets keep, on shadertoy.com, the old pixels from the lower left corner up.
+  // New targets of buffers keep, on shadertoy.com, the old pixels from the lower left corner up. The first of
+  // their two pictures counts as the last one from then on, whichever was drawn last. A canvas is emptied.
   void resize(glm::ivec2 size) {
     if (size == size_) return;
     if (std::max(size.x, size.y) > context_->info().max_size)
@@ -333,12 +334,14 @@ class GlPlayerImpl final : public GlPlayer {
       Target& target = passes_[i].target;
       if (target.kind == GL_TEXTURE_CUBE_MAP && target.size.x != 0) continue;
       const glm::ivec2 new_size = target.kind == GL_TEXTURE_CUBE_MAP ? glm::ivec2(cubemap_pass_size) : size;
+      const bool keeps =
+          project_.dialect == Dialect::shadertoy && project_.passes[i].kind == PassKind::buffer;
       for (std::size_t picture = 0; picture < rounds_.pictures(i); ++picture) {
         Target old;
         std::swap(old.textures[picture], target.textures[picture]);
         std::swap(old.framebuffers[picture], target.framebuffers[picture]);
         make_picture(target, picture, new_size);
-        if (target.size.x != 0 && project_.dialect == Dialect::shadertoy) {
+        if (target.size.x != 0 && keeps) {
           const glm::ivec2 common = glm::min(size, target.size);
           gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, old.framebuffers[picture].name());
           gl_.BlitFramebuffer(0, 0, common.x, common.y, 0, 0, common.x, common.y, GL_COLOR_BUFFER_BIT,
@@ -346,6 +349,7 @@ class GlPlayerImpl final : public GlPlayer {
         }
         make_mipmaps(target, picture);
       }
+      if (keeps) rounds_.show(i, 0);
       target.size = new_size;
     }
     size_ = size;

@@ -227,6 +227,7 @@ class TwinPlayerImpl final : public TwinPlayer {
     }
   }
 
+  // As GlPlayer's: buffers of shadertoy.com keep the lower left, and their first picture is the last one.
   void resize(int width, int height) {
     if (width == width_ && height == height_) return;
     for (std::size_t i = 0; i < passes_.size(); ++i) {
@@ -236,12 +237,13 @@ class TwinPlayerImpl final : public TwinPlayer {
       const int new_width = cube ? cubemap_pass_size : width;
       const int new_height = cube ? cubemap_pass_size : height;
       if (target.width == new_width && target.height == new_height) continue;
+      const bool keeps =
+          project_.dialect == Dialect::shadertoy && project_.passes[i].kind == PassKind::buffer;
+      for (Picture& picture : target.pictures) picture.resize(new_width, new_height, target.faces, keeps);
+      if (options_.double_precision) resize_wide(target, new_width, new_height, keeps);
+      if (keeps) rounds_.show(i, 0);
       target.width = new_width;
       target.height = new_height;
-      const std::size_t values = std::size_t{4} * new_width * new_height * target.faces;
-      const bool keeps = project_.dialect == Dialect::shadertoy;
-      for (Picture& picture : target.pictures) picture.resize(new_width, new_height, target.faces, keeps);
-      for (std::vector<double>& wide : target.wide) wide.assign(options_.double_precision ? values : 0, 0.0);
     }
     width_ = width;
     height_ = height;
@@ -254,6 +256,17 @@ class TwinPlayerImpl final : public TwinPlayer {
         if (input.kind == InputKind::pass)
           passes_[i].sizes[c] = channel_size(project_, input, nullptr, rounds_.reported_size());
       }
+    }
+  }
+
+  static void resize_wide(Target& target, int width, int height, bool keeps) {
+    const std::size_t row = std::size_t{4} * std::min(width, target.width);
+    for (std::vector<double>& wide : target.wide) {
+      std::vector<double> fresh(std::size_t{4} * width * height * target.faces, 0.0);
+      for (int y = 0; keeps && y < std::min(height, target.height); ++y)
+        std::copy_n(wide.begin() + std::ptrdiff_t{4} * target.width * y, row,
+                    fresh.begin() + std::ptrdiff_t{4} * width * y);
+      wide = std::move(fresh);
     }
   }
 
