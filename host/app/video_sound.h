@@ -2,20 +2,16 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include "host/media/audio_file.h"
 #include "host/player/fixed_clock.h"
+#include "host/player/recordings.h"
 #include "host/player/sound.h"
 
 namespace shadertwin::app {
 
-// Whether the project has a Sound pass or plays a file of music, and is not muted.
-bool has_sound(const Project& project);
-
-// The Sound pass and every file of music, as loud as they are, in one.
+// The Sound pass and what is heard of files, as loud as they are, in one.
 class VideoSound {
  public:
   // `player` plays the project and must outlive this. Throws Error(file).
@@ -33,9 +29,8 @@ class VideoSound {
   std::int64_t done_ = 0;
   std::int64_t frames_ = 0;
   std::optional<Sound> pass_;
-  std::vector<std::unique_ptr<media::AudioFile>> files_;
+  Recordings recordings_;
   std::vector<float> mix_;
-  std::vector<float> part_;
 };
 
 }  // namespace shadertwin::app

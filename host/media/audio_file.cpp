@@ -65,6 +65,11 @@ double measure(const fs::path& file) {
 
 }  // namespace
 
+bool has_sound(const fs::path& file) {
+  const InputFormat input = open_input(file);
+  return av_find_best_stream(input.get(), AVMEDIA_TYPE_AUDIO, -1, -1, nullptr, 0) >= 0;
+}
+
 struct AudioFile::State {
   State(const fs::path& name, int sample_rate) : file(name), rate(sample_rate) {
     seconds = measure(file);

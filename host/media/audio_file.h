@@ -8,6 +8,9 @@
 
 namespace shadertwin::media {
 
+// Whether there is sound in a file of sound or moving pictures. Throws Error(file).
+bool has_sound(const std::filesystem::path& file);
+
 class AudioFile {
  public:
   // Any format that libav decodes; of a film the sound. `rate`: samples a second that read() gives. The file

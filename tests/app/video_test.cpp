@@ -1,6 +1,10 @@
 // `shadertwin render -o` with the name of a video.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
+#include "host/media/audio_file.h"
 #include "tests/app/command_line.h"
 #include "tests/media/packets.h"
 
@@ -53,6 +57,32 @@ TEST_F(RenderVideo, HoldsTheSoundOfItsFramesUnlessMuted) {
   ASSERT_EQ(run(folder, "render toy --size 16x16 --frames 7 --mute -o b.webm").err, "");
   EXPECT_TRUE(media::read_packets(folder / "b.webm", AVMEDIA_TYPE_AUDIO).times.empty());
   ASSERT_EQ(run(folder, "render toy --size 16x16 --frames 7 -o c.gif").err, "");
+}
+
+TEST_F(RenderVideo, HoldsTheSoundOfVideosInTheirLoop) {
+  folder.write("toy/image.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n");
+  folder.write("toy/sound.glsl",
+               "vec2 mainSound(in int s, float t) { return vec2(sin(2764. * t)) * step(t, .25); }\n");
+  ASSERT_EQ(run(folder, "render toy --size 16x16 --frames 30 -o film.webm").err, "");
+  ASSERT_EQ(run(folder, "render clock.glsl --size 16x16 --frames 30 -o silent.webm").err, "");
+  const auto show = [&](const std::string& film) {
+    folder.write("show.glsl",
+                 "#iChannel0 \"" + film +
+                     "\"\nvoid mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }\n");
+    return run(folder, "render show.glsl --size 16x16 --frames 90 -o shown.webm").err;
+  };
+  ASSERT_EQ(show("film.webm"), "");
+  media::AudioFile file(folder / "shown.webm", 44100);
+  // Of each quarter of a second: half a second of the film has sound in its first half.
+  for (int quarter = 0; quarter < 6; ++quarter) {
+    std::vector<float> stereo(std::size_t{2} * 8820);
+    file.read(quarter * 11025 + 1100, stereo);
+    double power = 0.0;
+    for (const float value : stereo) power += value * value / static_cast<double>(stereo.size());
+    EXPECT_NEAR(std::sqrt(power), quarter % 2 == 0 ? 0.7071 : 0.0, 0.05) << quarter;
+  }
+  ASSERT_EQ(show("silent.webm"), "");
+  EXPECT_TRUE(media::read_packets(folder / "shown.webm", AVMEDIA_TYPE_AUDIO).times.empty());
 }
 
 TEST_F(RenderVideo, RefusalsAreOneLineAndLeaveNothing) {
