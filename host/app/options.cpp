@@ -107,8 +107,10 @@ void add_load_options(CLI::App& command, PlayOptions& o) {
                   "whose rules hold: shadertoy or vscode (by default a file's are vscode's, a folder's and a "
                   "JSON's shadertoy.com's)")
       ->check(CLI::IsMember({"shadertoy", "vscode"}));
-  command.add_flag("--mute", o.mute,
-                   "music and the microphone give the signal that shadertoy.com shows where sound is muted");
+  command.add_flag(
+      "--mute", o.mute,
+      "nothing is heard; music and the microphone give the signal that shadertoy.com shows where "
+      "sound is muted");
   command.add_flag(
       "--vscode-quirks", o.vscode_quirks,
       "with the rules of vscode: also what only the extension does. iMouse starts at -1 and its w is "

@@ -49,6 +49,7 @@ void run(const ViewCommand& o) {
     options.player.dispatch = dispatch_of(o.on);
   else
     options.other_player = [o](const Project& project) { return open_player(o.on, project, o); };
+  options.sound_player = [o](const Project& project) { return open_player(o.on, project, o); };
   view::run_view(options);
 }
 

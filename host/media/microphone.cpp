@@ -1,43 +1,25 @@
 #include "host/media/microphone.h"
 
-#include <alsa/asoundlib.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <vector>
 
+#include "host/media/alsa.h"
+
 namespace shadertwin::media {
 
-namespace {
-
-// ALSA tells its troubles on stderr, but for a handler.
-void say_nothing(const char*, int, const char*, int, const char*, ...) {}
-
-struct CloseDevice {
-  void operator()(snd_pcm_t* device) const { snd_pcm_close(device); }
-};
-
-}  // namespace
-
 struct Microphone::State {
-  std::unique_ptr<snd_pcm_t, CloseDevice> device;
+  AlsaDevice device;
   std::vector<float> heard;
   std::size_t most = 0;  // samples that one call takes in: a device of a file's has no end
 };
 
 std::unique_ptr<Microphone> Microphone::open(int rate, std::string& why) {
-  snd_lib_error_set_handler(say_nothing);
   auto state = std::make_unique<State>();
-  snd_pcm_t* device = nullptr;
-  int code = snd_pcm_open(&device, "default", SND_PCM_STREAM_CAPTURE, SND_PCM_NONBLOCK);
-  if (code >= 0) {
-    state->device.reset(device);
-    constexpr unsigned latency = 50'000;  // microseconds
-    code = snd_pcm_set_params(device, SND_PCM_FORMAT_FLOAT, SND_PCM_ACCESS_RW_INTERLEAVED, 1,
-                              static_cast<unsigned>(rate), 1, latency);
-  }
-  if (code >= 0) code = snd_pcm_start(device);
+  constexpr unsigned latency = 50'000;  // microseconds
+  int code = open_alsa(state->device, SND_PCM_STREAM_CAPTURE, SND_PCM_NONBLOCK, 1, rate, latency);
+  if (code >= 0) code = snd_pcm_start(state->device.get());
   if (code < 0) {
     why = snd_strerror(code);
     return nullptr;

@@ -62,6 +62,9 @@ class LiveClock {
   // The values of the next frame.
   Frame next(const Moment& now, glm::ivec2 size);
 
+  // Whether time goes by frames, not by the clock.
+  bool by_frames() const { return settings_.rate.has_value() || recording_.has_value(); }
+
   // Of the last frame.
   double time() const { return time_; }
   int index() const { return index_; }

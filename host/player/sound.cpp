@@ -31,7 +31,7 @@ void Sound::read(std::span<float> stereo) {
     }
     const int block = static_cast<int>(next_ / sound_block_samples);
     if (block != block_) {
-      samples_ = player_.sound_block(block, date_);
+      samples_ = blocks_(block);
       block_ = block;
     }
     const float* sample = &samples_.rgba[static_cast<std::size_t>(next_ % sound_block_samples) * 4];

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <utility>
 
 #include "host/player/player.h"
 #include "host/project/project.h"
@@ -18,10 +20,17 @@ Project sound_only(const Project& project);
 
 class Sound {
  public:
-  // `player` plays a project with a sound pass and must outlive this. `date`: iDate. `first`: number of the
-  // first sample, sound_rate of them a second; before 0 there is silence.
+  // Gives block 0, 1, 2 ... as Player::sound_block() does.
+  using Blocks = std::function<Image(int block)>;
+
+  // `first`: number of the first sample, sound_rate of them a second; before 0 there is silence.
+  explicit Sound(Blocks blocks, std::int64_t first = 0) : blocks_(std::move(blocks)), next_(first) {}
+  // `player` plays a project with a sound pass and must outlive this. `date`: iDate.
   Sound(Player& player, const glm::vec4& date, std::int64_t first = 0)
-      : player_(player), date_(date), next_(first) {}
+      : Sound([&player, date](int block) { return player.sound_block(block, date); }, first) {}
+
+  // The number of the sample that read() gives next.
+  void seek(std::int64_t first) { next_ = first; }
 
   // The next stereo.size() / 2 samples, left and right in turn, in [-1, 1]: what the shader gives beyond is
   // clipped, as on shadertoy.com, and NaN is 0. Throws what Player::sound_block() throws.
@@ -34,8 +43,7 @@ class Sound {
  private:
   float checked(float value);
 
-  Player& player_;
-  glm::vec4 date_;
+  Blocks blocks_;
   std::int64_t next_;
   int block_ = -1;  // that is in samples_
   Image samples_;

@@ -1,12 +1,7 @@
 #include "host/view/stage.h"
 
 #include <chrono>
-#include <condition_variable>
-#include <exception>
 #include <future>
-#include <mutex>
-#include <optional>
-#include <thread>
 #include <utility>
 
 #include "host/player/inputs.h"
@@ -99,83 +94,10 @@ class SharedStage final : public Stage {
   std::vector<double> milliseconds_;
 };
 
-// A player and the one thread that ever touches it.
-class PlayerThread {
- public:
-  // Returns when the player is made. Throws what making it threw.
-  PlayerThread(const Project& project, const MakePlayer& make_player) {
-    std::promise<void> made;
-    auto future = made.get_future();
-    thread_ = std::thread([this, &project, &make_player, &made] {
-      std::unique_ptr<Player> player;
-      try {
-        player = make_player(project);
-        description_ = player->description();
-      } catch (...) {
-        made.set_exception(std::current_exception());
-        return;
-      }
-      made.set_value();
-      work(*player);
-    });
-    try {
-      future.get();
-    } catch (...) {
-      thread_.join();
-      throw;
-    }
-  }
-  ~PlayerThread() {
-    {
-      const std::lock_guard lock(mutex_);
-      stop_ = true;
-    }
-    wake_.notify_all();
-    thread_.join();
-  }
-  PlayerThread(const PlayerThread&) = delete;
-  PlayerThread& operator=(const PlayerThread&) = delete;
-
-  const std::string& description() const { return description_; }
-  std::future<Image> ask(std::function<Image(Player&)> job) {
-    std::packaged_task<Image(Player&)> task(std::move(job));
-    auto future = task.get_future();
-    {
-      const std::lock_guard lock(mutex_);
-      job_ = std::move(task);
-    }
-    wake_.notify_all();
-    return future;
-  }
-
- private:
-  void work(Player& player) {
-    for (;;) {
-      std::packaged_task<Image(Player&)> job;
-      {
-        std::unique_lock lock(mutex_);
-        wake_.wait(lock, [this] { return stop_ || job_.has_value(); });
-        if (stop_) return;
-        job = std::move(*job_);
-        job_.reset();
-      }
-      job(player);
-      Window::wake();
-    }
-  }
-
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  bool stop_ = false;
-  std::optional<std::packaged_task<Image(Player&)>> job_;
-  std::string description_;
-  std::thread thread_;
-};
-
 class UploadingStage final : public Stage {
  public:
   UploadingStage(Window& window, const Project& project, const MakePlayer& make_player)
-      : window_(window), player_(project, make_player) {}
+      : window_(window), player_(project, make_player, Window::wake) {}
   ~UploadingStage() override {
     if (texture_.name() != 0) window_.context().make_current();
   }

@@ -1,20 +1,17 @@
 // Where the window's pictures come from: any Player, one frame at a time.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "host/gl/gl_player.h"
 #include "host/player/player.h"
+#include "host/view/player_thread.h"
 #include "host/view/presenter.h"
 #include "host/view/window.h"
 
 namespace shadertwin::view {
-
-// Makes the player of a project. Called in the thread that will play.
-using MakePlayer = std::function<std::unique_ptr<Player>(const Project&)>;
 
 // Leaves another context than the window's current only where it says so: in draw(), read() and
 // continue_from().

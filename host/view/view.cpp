@@ -16,6 +16,7 @@
 #include "host/view/presenter.h"
 #include "host/view/reloader.h"
 #include "host/view/shown_text.h"
+#include "host/view/sound_output.h"
 #include "host/view/window.h"
 
 namespace shadertwin::view {
@@ -55,6 +56,10 @@ class View {
         playing_(options.shader, load(options.shader)),
         clock_(options.clock, playing_.project().dialect),
         capture_(options.output.empty() ? stem_of(options.shader) : options.output),
+        sound_(options.sound_player,
+               [quiet = options.quiet](const std::string& line) {
+                 if (!quiet) std::fprintf(stderr, "%s\n", line.c_str());
+               }),
         reloader_([this](const fs::path& shader) { return load(shader); }, options.shader, playing_.project(),
                   read_) {
     if (!options.pass.empty()) playing_.show(pass_called(playing_.project(), options.pass));
@@ -63,10 +68,15 @@ class View {
 
   void run() {
     draw();  // what is pressed meanwhile finds a picture
+    play_sound();
     while (!window_.should_close()) {
       window_.wait(rest());
       for (const Event& event : window_.take_events()) handle(event);
       if (auto result = reloader_.take()) take(std::move(*result));
+      if (const auto problem = sound_.take_problem()) {
+        lay_over(*problem);
+        settling_ = settling_frames;
+      }
       if (!notice_.empty() && Clock::now() >= notice_until_) {
         notice_.clear();
         settling_ = 1;
@@ -94,13 +104,18 @@ class View {
     return {std::move(project), std::move(stage)};
   }
 
+  void play_sound() {
+    sound_.play(playing_.project(), shader_date(options_.clock.date.value_or(Moment::now().date), 0.0));
+  }
+
+  void lay_over(const std::string& problem) {
+    problem_ = problem;
+    std::fprintf(stderr, "%s\n", problem_.c_str());
+  }
+
   void take(Reloader::Result result) {
     settling_ = settling_frames;
-    if (!result.loaded.has_value()) {
-      problem_ = result.problem;
-      std::fprintf(stderr, "%s\n", problem_.c_str());
-      return;
-    }
+    if (!result.loaded.has_value()) return lay_over(result.problem);
     problem_.clear();
     reloading_since_ = result.since;
     halted_at_.reset();
@@ -118,6 +133,7 @@ class View {
       clock_.restart_frames();
     else
       clock_.set_dialect(playing_.project().dialect);
+    play_sound();
     name_window();
   }
 
@@ -217,6 +233,7 @@ class View {
         break;
       case Action::pause:
         clock_.set_paused(!clock_.paused());
+        if (clock_.paused()) sound_.rest();
         break;
       case Action::step:
         clock_.step();
@@ -330,7 +347,12 @@ class View {
       if (halted_at_.has_value()) problem_.clear();
       halted_at_.reset();
       pixels_ = size;
-      Frame frame = clock_.next(Moment::now(), size);
+      const Moment now = Moment::now();
+      Frame frame = clock_.next(now, size);
+      if (clock_.paused())
+        sound_.rest();
+      else
+        sound_.follow(frame.time, now.seconds, clock_.by_frames());
       frame.uniforms = playing_.uniforms().values();
       if (!samples_start_.has_value() || frame.index == 0) {
         samples_start_ = Clock::now();
@@ -344,8 +366,8 @@ class View {
       if (!waiting_) record();
       return !waiting_ || was_waiting;
     } catch (const Error& e) {
-      problem_ = e.what();
-      std::fprintf(stderr, "%s\n", e.what());
+      lay_over(e.what());
+      sound_.rest();
       halted_at_ = drawn_size();
       settling_ = settling_frames;
       return false;
@@ -465,6 +487,7 @@ class View {
   std::optional<glm::ivec2> halted_at_;  // drawing failed at this size
 
   Capture capture_;
+  SoundOutput sound_;
 
   int samples_ = 0;
   std::optional<Clock::time_point> samples_start_;

@@ -21,6 +21,7 @@ struct ViewOptions {
   std::string pass;              // shown at first; empty: the last one
   gl::PlayerOptions player;      // in the window's own context
   MakePlayer other_player;       // if given, plays instead
+  MakePlayer sound_player;       // draws the Sound pass
   std::string output;            // screenshots are OUTPUT_0001.png and .exr; empty: the shader's name
   std::string options_text;      // for commands that repeat a frame: -D and the like, as the user gave them
   bool quiet = false;            // nothing on stderr but errors

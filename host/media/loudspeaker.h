@@ -1,0 +1,32 @@
+// The system's loudspeaker.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+namespace shadertwin::media {
+
+class Loudspeaker {
+ public:
+  // The default device, for stereo floats at `rate` samples a second. Null if there is none: `why` says so in
+  // words.
+  static std::unique_ptr<Loudspeaker> open(int rate, std::string& why);
+  ~Loudspeaker();
+
+  // Hands over samples, left and right in turn, to be heard after those before; waits while the device holds
+  // all that it can. What it holds it plays by itself. False, and nothing is handed over, if it had run dry
+  // since the last call.
+  bool play(std::span<const float> stereo);
+  // Falls silent at once: what was not heard yet will not be.
+  void stop();
+
+ private:
+  struct State;
+
+  explicit Loudspeaker(std::unique_ptr<State> state);
+
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace shadertwin::media
