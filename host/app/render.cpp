@@ -80,6 +80,10 @@ nlohmann::json statistics(const Image& image) {
   return j;
 }
 
+double milliseconds(Clock::duration time) {
+  return std::chrono::duration<double, std::milli>(time).count();
+}
+
 glm::ivec2 picture_size(const Project& project, int pass, const Schedule& schedule) {
   if (project.passes[static_cast<std::size_t>(pass)].kind == PassKind::cubemap)
     return {cubemap_pass_size, 6 * cubemap_pass_size};
@@ -102,6 +106,7 @@ void render(const RenderOptions& options) {
   FixedClock clock(schedule, project.dialect);
   Batch batch;
   const auto start = Clock::now();
+  auto first_drawn = start;
   {
     Progress progress("rendering", options.frames, options.quiet);
     for (int i = 0; i < options.frames; ++i) {
@@ -110,12 +115,16 @@ void render(const RenderOptions& options) {
         output->add(player->read(shown));
       else
         batch.drawn(*player);
+      if (i == 0) {
+        player->finish();
+        first_drawn = Clock::now();
+      }
       if (sound) output->add_sound(sound->next_frame());
       progress.update(i + 1);
     }
     player->finish();
   }
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const auto drawn = Clock::now();
   if (!output->wants_every_frame()) output->add(player->read(shown));
   output->finish();
   if (sound && sound->pass() != nullptr && !options.quiet)
@@ -128,12 +137,16 @@ void render(const RenderOptions& options) {
         entry.update(statistics(player->read(static_cast<int>(i))));
         passes.push_back(entry);
       }
-    write_report(options.json, {{"device", player->description()},
-                                {"size", {schedule.width, schedule.height}},
-                                {"frames", options.frames},
-                                {"seconds", seconds},
-                                {"milliseconds_per_frame", 1000.0 * seconds / options.frames},
-                                {"passes", passes}});
+    write_report(options.json,
+                 {{"device", player->description()},
+                  {"size", {schedule.width, schedule.height}},
+                  {"frames", options.frames},
+                  {"seconds", milliseconds(drawn - start) / 1000.0},
+                  {"first_frame_milliseconds", milliseconds(first_drawn - start)},
+                  {"milliseconds_per_frame", options.frames == 1
+                                                 ? milliseconds(drawn - start)
+                                                 : milliseconds(drawn - first_drawn) / (options.frames - 1)},
+                  {"passes", passes}});
   }
 }
 

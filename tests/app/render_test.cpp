@@ -163,6 +163,17 @@ TEST_F(Render, LaterOptionsWin) {
   EXPECT_EQ(read_image(folder / "b.png").width, 8);
 }
 
+TEST_F(Render, ReportsTheFirstFrameAndTheOthersApart) {
+  folder.write("a.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }");
+  ASSERT_EQ(run(folder, "render a.glsl --size 4x3 --frames 5 -o a.exr --json r.json").err, "");
+  const auto report = nlohmann::json::parse(contents(folder / "r.json"));
+  const double first = report["first_frame_milliseconds"];
+  const double other = report["milliseconds_per_frame"];
+  EXPECT_GT(first, 0.0);
+  EXPECT_GT(other, 0.0);
+  EXPECT_NEAR(first + 4.0 * other, 1000.0 * report["seconds"].get<double>(), 1e-6);
+}
+
 TEST_F(Render, ReportCountsWhatIsNotANumber) {
   folder.write("nan.glsl",
                "void mainImage(out vec4 c, in vec2 p) {\n"
