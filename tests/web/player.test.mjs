@@ -125,14 +125,23 @@ test('iDate is local time with months from 0', async () => {
 
 test('a window that grows keeps the buffer from the lower left, and counts on', async () => {
   const page = await open('grows', withBuffer('c = iFrame == 0 ? vec4(p, 1.0, 0.0) : vec4(last.xyz, iFrame);'), { hash: '#paused' });
-  await page.evaluate(() => window.shadertwin.step(0));
+  for (const now of [0, 20]) await page.evaluate((time) => window.shadertwin.step(time), now);
   await page.setViewportSize({ width: 400, height: 236 });
   await page.waitForFunction(() => document.querySelector('canvas').width === 400);
-  await page.evaluate(() => window.shadertwin.step(20));
+  await page.evaluate(() => window.shadertwin.step(40));
   const [x, y, drawn, frame] = await texel(page, 319, 179);
   assert.deepEqual([x, y, drawn], [319.5, 179.5, 1]);
   assert.ok(frame > 0);
   assert.deepEqual((await texel(page, 399, 199)).slice(0, 3), [0, 0, 0]);
+});
+
+test('a resize may go back to the older of the two pictures of a buffer, once', async () => {
+  const page = await open('older', withBuffer('c = last + vec4(1.0, 0.0, 0.0, 0.0);'), { hash: '#paused' });
+  for (let frame = 0; frame < 3; ++frame) await page.evaluate((now) => window.shadertwin.step(now), 20 * frame);
+  assert.equal((await texel(page))[0], 3);
+  await page.setViewportSize({ width: 400, height: 236 });
+  await page.waitForFunction(() => document.querySelector('canvas').width === 400);
+  assert.equal((await texel(page))[0], 3, 'the first picture, which is the older one after three frames, and one frame more');
 });
 
 test('a tap on a key between two frames shows in the toggle row only', async () => {

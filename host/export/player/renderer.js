@@ -140,18 +140,20 @@ class Renderer {
     return source;
   }
 
-  // New targets keep, on shadertoy.com, the old pixels from the lower left corner up.
+  // New targets keep, on shadertoy.com, the old pixels from the lower left corner up; the first of two pictures counts as
+  // the last one from then on.
   resize(width, height) {
     const { gl, canvas } = this;
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
-    for (const { target, pictures } of this.passes.filter((pass) => pass.target)) {
+    for (const { target, pictures, index } of this.passes.filter((pass) => pass.target)) {
       const cube = target.kind === gl.TEXTURE_CUBE_MAP;
       if (cube && target.size) continue;
       const size = cube ? [cubeSize, cubeSize] : [width, height];
       const old = target.size;
       target.pictures = Array.from({ length: pictures }, (_, i) => this.makePicture(target, size, old && target.pictures[i], old));
       target.size = size;
+      if (this.project.site) this.rounds.shown[index] = 0;
     }
   }
 
