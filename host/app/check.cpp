@@ -37,21 +37,16 @@ bool has_vertex_shader(const Project& project) {
 }
 
 std::vector<Finding> find(const Project& project, const PlayOptions& options, const Schedule& schedule) {
-  std::vector<Finding> findings = check::text_rules(project);
-  const std::vector<Finding> errors = check::compile_errors(project);
-  append(findings, errors);
-  if (errors.empty()) {
-    append(findings, check::unwritten_outputs(project));
-    const std::vector<Finding> endless = check::endless_loops(project);
-    append(findings, endless);
-    if (!endless.empty()) return check::sorted(std::move(findings));
-    if (!has_vertex_shader(project))
-      append(findings, check::run_checks(project, {schedule, options.frames, options.timeout}));
-    else if (!options.quiet)
+  check::Reading reading = check::read_rules(project);
+  if (!reading.can_run) return reading.findings;
+  if (has_vertex_shader(project)) {
+    if (!options.quiet)
       std::fprintf(stderr, "%s: warning: only read, not run: the twin has no vertex shaders (#iVertex)\n",
                    options.shader.c_str());
+    return reading.findings;
   }
-  return check::sorted(std::move(findings));
+  append(reading.findings, check::run_checks(project, {schedule, options.frames, options.timeout}));
+  return check::sorted(std::move(reading.findings));
 }
 
 nlohmann::json to_json(const std::vector<Finding>& findings) {

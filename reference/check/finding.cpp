@@ -1,6 +1,7 @@
 #include "reference/check/finding.h"
 
 #include <algorithm>
+#include <string_view>
 #include <tuple>
 
 namespace shadertwin::check {
@@ -30,6 +31,13 @@ Finding make_finding(const Project& project, const Pass& pass, SourceLine at, co
   }
   const std::string name = at.file < 0 ? pass.name : project.files[static_cast<std::size_t>(at.file)];
   return {name, at.line, kind, text};
+}
+
+std::size_t own_lines(const Pass& pass) {
+  std::string_view code = pass.code;
+  code = code.substr(0, code.find_last_not_of(" \t") + 1);
+  const auto ends = static_cast<std::size_t>(std::count(code.begin(), code.end(), '\n'));
+  return std::min(ends + (code.empty() || code.back() == '\n' ? 0 : 1), pass.source.lines.size());
 }
 
 }  // namespace shadertwin::check

@@ -1,6 +1,7 @@
 #include "reference/check/rules.h"
 
 #include <cstdlib>
+#include <iterator>
 #include <sstream>
 
 #include "host/base/error.h"
@@ -25,24 +26,61 @@ Finding read_error(const Project& project, const Pass& pass, const std::string& 
   return {line.substr(0, colon), number, "webgl2", text};
 }
 
+// The findings that `read` throws as an Error(shader).
+template <typename Read>
+std::vector<Finding> thrown(const Project& project, const Pass& pass, Read read) {
+  std::vector<Finding> findings;
+  try {
+    read();
+  } catch (const Error& e) {
+    if (e.status() != ExitStatus::shader) throw;
+    std::istringstream lines(e.what());
+    for (std::string line; std::getline(lines, line);) {
+      if (line.find(": warning: ") == std::string::npos) findings.push_back(read_error(project, pass, line));
+    }
+  }
+  return findings;
+}
+
 }  // namespace
+
+std::vector<Finding> syntax_errors(const Project& project, const Pass& pass) {
+  return thrown(project, pass, [&] {
+    const emit::SyntaxTree tree(project, pass.source, emit::Folding::float32, emit::Errors::all);
+  });
+}
 
 std::vector<Finding> compile_errors(const Project& project) {
   std::vector<Finding> findings;
   for (const Pass& pass : project.passes) {
-    try {
+    const auto found = thrown(project, pass, [&] {
       const emit::SyntaxTree tree(project, pass.source, emit::Folding::float32, emit::Errors::all);
       const emit::Program program(tree);  // recursion, functions without a body
-    } catch (const Error& e) {
-      if (e.status() != ExitStatus::shader) throw;
-      std::istringstream lines(e.what());
-      for (std::string line; std::getline(lines, line);) {
-        if (line.find(": warning: ") == std::string::npos)
-          findings.push_back(read_error(project, pass, line));
-      }
-    }
+    });
+    findings.insert(findings.end(), found.begin(), found.end());
   }
   return findings;
+}
+
+Reading read_rules(const Project& project) {
+  Reading reading;
+  const auto append = [&](std::vector<Finding> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(reading.findings));
+  };
+  const std::vector<Finding> errors = compile_errors(project);
+  reading.can_run = errors.empty();
+  append(text_rules(project));
+  append(errors);
+  append(common_errors(project, errors));
+  if (reading.can_run) {
+    append(browser_limits(project));
+    append(unwritten_outputs(project));
+    const std::vector<Finding> endless = endless_loops(project);
+    reading.can_run = endless.empty();
+    append(endless);
+  }
+  reading.findings = sorted(std::move(reading.findings));
+  return reading;
 }
 
 }  // namespace shadertwin::check

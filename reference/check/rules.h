@@ -11,17 +11,35 @@ namespace shadertwin::check {
 // Errors of an ES 3.00 front end, kind `webgl2`: with any of these the shader can't be run.
 std::vector<Finding> compile_errors(const Project& project);
 
-// What browsers refuse although native compilers take it (kind `webgl2`), and names that only one of
-// shadertoy.com and the VS Code extension knows (kind `portability`). Text inside #ifdef SHADER_TOY is for
-// local hosts, so the site's rules don't hold there.
+// The same of a single pass, but for what its functions call.
+std::vector<Finding> syntax_errors(const Project& project, const Pass& pass);
+
+// Errors of the Common tab where shadertoy.com compiles it by itself: functions there see no uniforms but
+// iDate and iSampleRate. Not those at places in `known`. None for the extension, which has no such tab.
+std::vector<Finding> common_errors(const Project& project, const std::vector<Finding>& known);
+
+// What browsers refuse although native compilers take it (kind `webgl2`), and what only one of shadertoy.com
+// and the VS Code extension knows or refuses (kind `portability`, but `webgl2` for what the project's own
+// host refuses). Text inside #ifdef SHADER_TOY is for local hosts, so the site's rules don't hold there.
 std::vector<Finding> text_rules(const Project& project);
 
 // Loops without an end, a break, a return or a discard, which browsers refuse, kind `webgl2`. The shader has
 // to compile.
 std::vector<Finding> endless_loops(const Project& project);
 
+// Variables that are larger than browsers allow, and inputs that no vertex shader gives, kind `webgl2`. The
+// shader has to compile. A local variable that nothing uses is not seen.
+std::vector<Finding> browser_limits(const Project& project);
+
 // `out` parameters that some path through their function leaves unwritten, kind `out`. A loop counts as if
 // its body ran. The shader has to compile.
 std::vector<Finding> unwritten_outputs(const Project& project);
+
+// What all of these find, sorted.
+struct Reading {
+  std::vector<Finding> findings;
+  bool can_run = true;  // it compiles, and its loops end
+};
+Reading read_rules(const Project& project);
 
 }  // namespace shadertwin::check

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <string>
 #include <string_view>
@@ -11,11 +12,25 @@ namespace {
 
 using Kind = Token::Kind;
 
-constexpr std::string_view vscode_only[] = {"saturate",       "gl_FragColor", "texture2D",   "textureCube",
-                                            "GLSL_FRAGCOLOR", "iMouseButton", "iGlobalTime", "iGlobalFrame",
-                                            "iKeyboard",      "iChannel4",    "iChannel5",   "iChannel6",
-                                            "iChannel7",      "iChannel8",    "iChannel9"};
+constexpr std::string_view vscode_only[] = {"saturate",       "gl_FragColor", "texture2D",    "textureCube",
+                                            "GLSL_FRAGCOLOR", "iMouseButton", "iGlobalTime",  "iGlobalFrame",
+                                            "iKeyboard",      "isKeyDown",    "isKeyPressed", "isKeyToggled",
+                                            "isKeyReleased",  "iViewMatrix",  "iChannel4",    "iChannel5",
+                                            "iChannel6",      "iChannel7",    "iChannel8",    "iChannel9"};
 constexpr std::string_view site_only[] = {"iChannelTime", "iFrameRate", "HW_PERFORMANCE"};
+constexpr std::string_view site_entries[] = {"mainSound", "mainCubemap"};
+constexpr std::string_view channel_structs[] = {"iCh0", "iCh1", "iCh2", "iCh3"};
+
+// What stands in front of the user's text on shadertoy.com, so that the text can't declare it again.
+constexpr std::string_view site_uniforms[] = {"iResolution",  "iTime",
+                                              "iTimeDelta",   "iFrame",
+                                              "iFrameRate",   "iDate",
+                                              "iMouse",       "iSampleRate",
+                                              "iChannel0",    "iChannel1",
+                                              "iChannel2",    "iChannel3",
+                                              "iChannelTime", "iChannelResolution"};
+// The same in the extension, beyond its uniforms.
+constexpr std::string_view vscode_globals[] = {"viewMatrix", "cameraPosition", "isOrthographic"};
 
 template <std::size_t N>
 bool among(const std::string_view (&names)[N], std::string_view name) {
@@ -67,8 +82,9 @@ class Audience {
 
 class TextRules {
  public:
-  TextRules(const Project& project, const Pass& pass)
-      : project_(project), pass_(pass), tokens_(tokenize(pass.source.body)) {}
+  // `text`: the pass's body, or the end of it as the user wrote it, from its line `first_line` (from 0).
+  TextRules(const Project& project, const Pass& pass, std::string_view text, std::size_t first_line = 0)
+      : project_(project), pass_(pass), first_line_(first_line), tokens_(tokenize(text)) {}
 
   std::vector<Finding> findings() {
     for (at_ = 0; at_ < tokens_.size(); ++at_) {
@@ -77,16 +93,33 @@ class TextRules {
         directive();
         continue;
       }
+      if (token.is("{") || token.is("(")) ++depth_;
+      if (token.is("}") || token.is(")")) --depth_;
       if (token.kind == Kind::identifier) identifier(token.text);
-      before_ = token.text;
+      if (token.kind == Kind::identifier && !before_.empty()) declaration(token.text);
+      before_ = token.kind == Kind::identifier || token.is(".") || token.is("]") ? token.text : "";
       any_code_ = true;
+    }
+    return std::move(findings_);
+  }
+
+  // iCh0 to iCh3, which the body no longer has.
+  std::vector<Finding> structs_of_channels() {
+    for (at_ = 0; at_ < tokens_.size(); ++at_) {
+      if (tokens_[at_].first && tokens_[at_].is("#")) audience_.directive(tokens_, at_);
+      if (!among(channel_structs, tokens_[at_].text) || declares(tokens_, tokens_[at_].text)) continue;
+      const std::string name = "'" + std::string(tokens_[at_].text) + "'";
+      if (pass_.kind != PassKind::image && audience_.site())
+        own_host(name + " is there in the Image pass only");
+      else if (audience_.extension())
+        add("portability", name + " is there on shadertoy.com, not in the VS Code extension");
     }
     return std::move(findings_);
   }
 
  private:
   void add(const std::string& kind, const std::string& text) {
-    const auto line = static_cast<std::size_t>(tokens_[at_].line) - 1;
+    const auto line = first_line_ + static_cast<std::size_t>(tokens_[at_].line) - 1;
     const SourceLine at = line < pass_.source.lines.size() ? pass_.source.lines[line] : SourceLine{};
     if (at.file < 0) return;  // a define of the command line
     if (told_.insert(text).second) findings_.push_back(make_finding(project_, pass_, at, kind, text));
@@ -100,8 +133,73 @@ class TextRules {
     }
     audience_.directive(tokens_, at_);
     in_define_ = at_ + 1 < tokens_.size() && tokens_[at_ + 1].is("define");
+    if (in_define_ && at_ + 2 < tokens_.size() && tokens_[at_ + 2].preprocessor) macro(tokens_[at_ + 2].text);
     if (at_ + 1 < tokens_.size() && tokens_[at_ + 1].is("extension") && any_code_ && audience_.site())
       add("webgl2", "#extension behind code: browsers want it in front of everything else");
+  }
+
+  // What the user's text does to names that the hosts put around it. `before_` may be a type.
+  void declaration(std::string_view name) {
+    if (before_ == "." || before_ == "return" || before_ == "else") return;
+    const bool calls = next_is("(");
+    const bool variable = depth_ == 0 && (next_is(";") || next_is("=") || next_is(",") || next_is("["));
+    const std::string quoted = "'" + std::string(name) + "'";
+    if (calls && name == "mainImage" && !is_usual_image())
+      own_host(
+          "mainImage() has to be `void mainImage(out vec4, in vec2)`: shadertoy.com refuses other forms");
+    if (calls && name == "main" && before_ == "void" && audience_.site())
+      own_host("main() is shadertoy.com's own, which refuses another one");
+    if (calls && among(site_entries, name) && audience_.extension())
+      add("portability", quoted + " is called on shadertoy.com, not in the VS Code extension");
+    if (variable && among(site_uniforms, name) && audience_.site())
+      own_host(quoted + " is there already on shadertoy.com, which refuses to declare it again");
+    if ((variable && among(vscode_globals, name)) || (calls && name == "saturate" && depth_ == 0))
+      taken_by_extension(name);
+  }
+
+  // In a project of shadertoy.com's it is an error, in one of the extension's it stops only who pastes it.
+  void own_host(const std::string& text) {
+    add(project_.dialect == Dialect::shadertoy ? "webgl2" : "portability", text);
+  }
+
+  void taken_by_extension(std::string_view name) {
+    if (audience_.extension())
+      add("portability",
+          "'" + std::string(name) + "' is there already in the VS Code extension, which refuses it again");
+  }
+
+  bool next_is(std::string_view text) const {
+    return at_ + 1 < tokens_.size() && !tokens_[at_ + 1].preprocessor && tokens_[at_ + 1].is(text);
+  }
+
+  // Whether the function whose name is at at_ has the qualifiers that its prototype on shadertoy.com has.
+  // What macros stand for is not known here.
+  bool is_usual_image() const {
+    if (before_ == "vec4" || before_ == "vec3" || before_ == "float") return false;
+    std::size_t at = at_ + 2;
+    const auto parameter = [&](std::string_view wanted, std::string_view type) {
+      bool has_wanted = false;
+      for (; at < tokens_.size() && !tokens_[at].is(",") && !tokens_[at].is(")"); ++at) {
+        const Token& token = tokens_[at];
+        if (token.is("inout") || token.is("const") || (token.is("out") && wanted != "out")) return false;
+        has_wanted |= token.is(wanted);
+        if (token.is(type) && wanted == "out" && !has_wanted) return false;
+      }
+      ++at;
+      return true;
+    };
+    return parameter("out", "vec4") && parameter("in", "vec2");
+  }
+
+  // Names that a macro takes: `#define NAME`.
+  void macro(std::string_view name) {
+    const bool guarded =
+        std::adjacent_find(tokens_.begin(), tokens_.end(), [&](const Token& a, const Token& b) {
+          return a.is("ifndef") && b.is(name);
+        }) != tokens_.end();
+    if (name == "saturate" && !guarded) taken_by_extension(name);
+    if (name == "fragCoord" && audience_.extension())
+      add("portability", "a macro 'fragCoord' breaks the VS Code extension's main()");
   }
 
   // Each name is told once, where it comes first.
@@ -134,22 +232,41 @@ class TextRules {
 
   const Project& project_;
   const Pass& pass_;
+  std::size_t first_line_;
   std::vector<Token> tokens_;
   std::size_t at_ = 0;
   Audience audience_;
   std::string_view before_;
+  int depth_ = 0;  // of braces and parentheses
   bool any_code_ = false;
   bool in_define_ = false;
   std::set<std::string> told_;
   std::vector<Finding> findings_;
 };
 
+// Inputs that the extension has not.
+std::vector<Finding> inputs_of_one_host(const Project& project, const Pass& pass) {
+  std::vector<Finding> findings;
+  for (std::size_t i = 0; i < pass.inputs.size(); ++i)
+    if (pass.inputs[i].wanted() == InputKind::volume)
+      findings.push_back(
+          make_finding(project, pass, {}, "portability",
+                       "iChannel" + std::to_string(i) + " is a volume, which the VS Code extension has not"));
+  return findings;
+}
+
 }  // namespace
 
 std::vector<Finding> text_rules(const Project& project) {
   std::vector<Finding> findings;
+  const auto append = [&](std::vector<Finding> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(findings));
+  };
   for (const Pass& pass : project.passes) {
-    for (Finding& finding : TextRules(project, pass).findings()) findings.push_back(std::move(finding));
+    append(TextRules(project, pass, pass.source.body).findings());
+    append(TextRules(project, pass, pass.code, pass.source.lines.size() - own_lines(pass))
+               .structs_of_channels());
+    append(inputs_of_one_host(project, pass));
   }
   return findings;
 }

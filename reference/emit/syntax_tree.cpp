@@ -84,7 +84,10 @@ const std::string& SyntaxTree::token_text(const TIntermNode& node) const {
 }
 
 SourceLine SyntaxTree::line_of(const TIntermNode& node) const {
-  const int token = token_of(node);
+  return line_of_token(token_of(node));
+}
+
+SourceLine SyntaxTree::line_of_token(int token) const {
   if (token < 0) return {};
   const int body_line = tokens_[token].line - 1 - head_lines_;
   if (body_line < 0 || body_line >= static_cast<int>(source_.lines.size())) return {};

@@ -55,6 +55,7 @@ class SyntaxTree {
   const std::string& token_text(const TIntermNode& node) const;
   // The user's own line of a node; file is -1 for the host's text.
   SourceLine line_of(const TIntermNode& node) const;
+  SourceLine line_of_token(int token) const;
   // `file:line` for messages about a node.
   std::string place_of(const TIntermNode& node) const;
 

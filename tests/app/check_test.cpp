@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "host/image/image.h"
 #include "tests/app/command_line.h"
 
 namespace shadertwin {
@@ -64,6 +65,86 @@ TEST_F(CheckCommand, FindsLoopsWithoutAWayOutAndDoesNotRunThem) {
 TEST_F(CheckCommand, FindsNamesOfOneHostOnly) {
   expect_only(check("", "c = vec4(saturate(p.x));"), "a.glsl:3: portability: 'saturate'");
   expect_only(check("", "c = vec4(iFrameRate);"), "a.glsl:3: portability: 'iFrameRate'");
+}
+
+TEST_F(CheckCommand, FindsWhatOnlyTheExtensionHas) {
+  const std::vector<std::string> uses = {"texture2D(iChannel0, p)", "textureCube(iChannel1, p.xyx)",
+                                         "texture(iKeyboard, p)",   "vec4(isKeyDown(65))",
+                                         "vec4(isKeyPressed(65))",  "vec4(isKeyToggled(65))",
+                                         "vec4(isKeyReleased(65))", "iMouseButton",
+                                         "iViewMatrix[0]",          "vec4(iGlobalTime)",
+                                         "vec4(iGlobalFrame)",      "texture(iChannel4, p)"};
+  for (const char* face : {"px", "nx", "py", "ny", "pz", "nz"})
+    write_image(Image(1, 1), folder / ("sky_" + std::string(face) + ".png"));
+  std::string statements = "c = vec4(0.0);";
+  for (const std::string& use : uses) statements += "\nc += " + use + ";";
+  const Outcome outcome =
+      check("#iKeyboard\n#iChannel1 \"sky_{}.png\"\n#iChannel1::Type \"CubeMap\"", statements, "--frames 1");
+  for (std::size_t i = 0; i < uses.size(); ++i)
+    EXPECT_NE(outcome.out.find("a.glsl:" + std::to_string(i + 6) + ": portability: '"), std::string::npos)
+        << uses[i] << '\n'
+        << outcome.out << outcome.err;
+  folder.write("m.glsl", "void main() { gl_FragColor = vec4(1.0); }\n");
+  const Outcome own = run(folder, "check m.glsl --size 8x4 --frames 1");
+  EXPECT_NE(own.out.find("m.glsl:1: portability: main() is shadertoy.com's own"), std::string::npos)
+      << own.out;
+  EXPECT_NE(own.out.find("m.glsl:1: portability: 'gl_FragColor'"), std::string::npos) << own.out;
+}
+
+TEST_F(CheckCommand, FindsWhatOnlyTheSiteHas) {
+  expect_only(check("", "c = vec4(iChannelTime[0]);", "--frames 1"), "a.glsl:3: portability: 'iChannelTime'");
+  expect_only(check("", "c = vec4(HW_PERFORMANCE);", "--frames 1"),
+              "a.glsl:3: portability: 'HW_PERFORMANCE'");
+  folder.write("tabs/sound.glsl", "\nvec2 mainSound(int s, float t) { return vec2(t); }\n");
+  folder.write("tabs/cubemap_a.glsl",
+               "void mainCubemap(out vec4 c, in vec2 p, in vec3 o, in vec3 d) { c = vec4(d, 1.0); }\n");
+  folder.write("tabs/common.glsl", "#define ONE 1.0\n\n");
+  folder.write("tabs/buffer_a.glsl",
+               "void mainImage(out vec4 c, in vec2 p) {\n  c = vec4(iCh0.size, ONE);\n}\n");
+  folder.write("tabs/image.glsl",
+               "void mainImage(out vec4 c, in vec2 p) {\n\n  c = vec4(iCh0.size, 1.0);\n}\n");
+  const Outcome outcome = run(folder, "check tabs --size 8x4");
+  EXPECT_NE(outcome.out.find("sound.glsl:2: portability: 'mainSound'"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("cubemap_a.glsl:1: portability: 'mainCubemap'"), std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("image.glsl:3: portability: 'iCh0'"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("buffer_a.glsl:2: webgl2: 'iCh0' is there in the Image pass only"),
+            std::string::npos)
+      << outcome.out;
+}
+
+TEST_F(CheckCommand, FindsNamesThatAHostHasTaken) {
+  expect_only(check("uniform float iTime;", "c = vec4(iTime);"),
+              "a.glsl:1: portability: 'iTime' is there already");
+  expect_only(check("#define saturate(x) clamp(x, 0.0, 1.0)", "c = vec4(saturate(p.x));"),
+              "a.glsl:1: portability: 'saturate' is there already in the VS Code extension");
+  expect_only(check("#define fragCoord p", "c = vec4(fragCoord, 0.0, 1.0);"),
+              "a.glsl:1: portability: a macro");
+  expect_only(check("vec3 cameraPosition = vec3(0.0);", "c = vec4(cameraPosition, 1.0);"),
+              "a.glsl:1: portability: 'cameraPosition' is there already in the VS Code extension");
+  const Outcome guarded = check("#ifndef saturate\n#define saturate(x) clamp(x, 0.0, 1.0)\n#endif",
+                                "float viewMatrix = p.x; c = vec4(saturate(viewMatrix));");
+  EXPECT_EQ(guarded.status, 0) << guarded.out << guarded.err;
+}
+
+// As shadertoy.com compiles it: its functions see no uniforms, its macros may name them.
+TEST_F(CheckCommand, ReadsCommonByItself) {
+  folder.write("tabs/image.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(wave(p.x) + T); }\n");
+  folder.write(
+      "tabs/common.glsl",
+      "#define T iTime\nfloat later(float x);\nfloat year() { return iDate.x + iSampleRate + later(1.0); }\n"
+      "float later(float x) { return x; }\nfloat wave(float x) { return x; }\n");
+  const Outcome fine = run(folder, "check tabs --size 8x4");
+  EXPECT_EQ(fine.status, 0) << fine.out << fine.err;
+  folder.write("tabs/common.glsl", "#define T iTime\n\nfloat wave(float x) {\n  return x * T;\n}\n");
+  const Outcome outcome = run(folder, "check tabs --size 8x4 -D KNOB=1");
+  expect_only(outcome, "tabs/common.glsl:4: webgl2: ");
+  EXPECT_NE(
+      outcome.out.find("'iTime' : undeclared identifier (shadertoy.com compiles Common by itself, too)"),
+      std::string::npos)
+      << outcome.out;
+  folder.write("tabs/common.glsl", "float wave(float x) {\n  return 1;\n}\n#define T 0.0\n");
+  expect_only(run(folder, "check tabs --size 8x4"), "tabs/common.glsl:2: webgl2: ");
 }
 
 TEST_F(CheckCommand, LeavesTextForLocalHostsAlone) {
