@@ -158,6 +158,25 @@ test('a tap on a key between two frames shows in the toggle row only', async () 
   assert.deepEqual(await texel(page), [0, 0, 1, 1]);
 });
 
+test('Control and what is pressed with it are keys', async () => {
+  const page = await open(
+    'control',
+    {
+      ...withBuffer('c = vec4(texelFetch(iChannel1, ivec2(17, 0), 0).x, texelFetch(iChannel1, ivec2(66, 0), 0).x, texelFetch(iChannel1, ivec2(66, 1), 0).x, 0.0);'),
+      'shadertoy.json': JSON.stringify({ Image: { iChannel0: { buffer: 'Buffer A' } }, 'Buffer A': { iChannel0: { buffer: 'Buffer A' }, iChannel1: { keyboard: true } } }),
+    },
+    { hash: '#paused' },
+  );
+  await page.keyboard.down('Control');
+  await page.keyboard.down('b');
+  await page.evaluate(() => window.shadertwin.step(0));
+  assert.deepEqual(await texel(page), [1, 1, 1, 0]);
+  await page.keyboard.up('b');
+  await page.keyboard.up('Control');
+  await page.evaluate(() => window.shadertwin.step(20));
+  assert.deepEqual(await texel(page), [0, 0, 0, 0]);
+});
+
 test('errors name the user\'s own file and line, also in an include', async () => {
   const page = await open(
     'errors',

@@ -15,6 +15,7 @@ const flySteps = [
   [69, 5, 1], // E
   [81, 5, -1], // Q
 ];
+const alt = 18;
 const flySeconds = 0.1; // what the extension takes every frame for
 const flyTurning = Math.PI / 24;
 
@@ -22,6 +23,7 @@ class FlyCamera {
   constructor() {
     this.position = [0, 0, 0];
     this.rotation = [0, 0, 0, 1]; // a quaternion
+    this.steering = new Set(); // keys; one that is pressed while Alt is held does not count
   }
 
   // keys: rows of the keyboard. look: where a held mouse is, from the centre to the edges at 1; it takes the place of the
@@ -29,8 +31,11 @@ class FlyCamera {
   step(keys, look) {
     const looks = look[0] !== 0 || look[1] !== 0;
     const move = [0, 0, 0, 0, 0, 0];
-    for (const [key, axis, direction] of flySteps)
-      if (keys[key] && !(looks && (key === 37 || key === 40))) move[axis] += direction;
+    for (const [key, axis, direction] of flySteps) {
+      if (!keys[key]) this.steering.delete(key);
+      else if (!keys[alt]) this.steering.add(key);
+      if (this.steering.has(key) && !(looks && (key === 37 || key === 40))) move[axis] += direction;
+    }
     const axes = this.axes();
     for (let i = 0; i < 3; ++i)
       this.position[i] += flySeconds * (move[0] * axes[0][i] + move[1] * axes[1][i] + move[2] * axes[2][i]);

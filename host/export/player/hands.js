@@ -51,6 +51,7 @@ class Hands {
 
   move(event) {
     if (!this.down || !event.isPrimary) return;
+    this.buttons = event.buttons; // a second button is told as a move
     this.position = this.place(event);
     const box = this.canvas.getBoundingClientRect();
     this.look = [(2 * (event.clientX - box.left)) / box.width - 1, 1 - (2 * (event.clientY - box.top)) / box.height];
@@ -70,9 +71,11 @@ class Hands {
 
   keyDown(event) {
     const code = event.keyCode;
-    if (event.altKey || event.ctrlKey || event.metaKey || code > 255) return;
+    // Systems keep the ends of keys to themselves while their own key is held. Alt and arrows are the page's.
+    if (event.metaKey || code > 255 || (event.altKey && (code === 38 || code === 40))) return;
     // A page must not scroll, nor lose the focus, under a shader that is played by keys.
-    if (this.usesKeys && [8, 9, 32, 33, 34, 35, 36, 37, 38, 39, 40].includes(code)) event.preventDefault();
+    const plain = !event.altKey && !event.ctrlKey;
+    if (plain && this.usesKeys && [8, 9, 32, 33, 34, 35, 36, 37, 38, 39, 40].includes(code)) event.preventDefault();
     if (event.repeat || this.keys[code]) return;
     this.keys[code] = this.keys[256 + code] = 255;
     this.keys[512 + code] ^= 255;
