@@ -15,8 +15,8 @@ class Loudspeaker {
   ~Loudspeaker();
 
   // Hands over samples, left and right in turn, to be heard after those before; waits while the device holds
-  // all that it can. What it holds it plays by itself. False, and nothing is handed over, if it had run dry
-  // since the last call.
+  // all that it can. What it holds it plays by itself. False if it had run dry since the last call, or takes
+  // nothing any more: where the sound is heard is then open.
   bool play(std::span<const float> stereo);
   // Falls silent at once: what was not heard yet will not be.
   void stop();
