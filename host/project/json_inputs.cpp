@@ -25,8 +25,20 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> site_ids 
                                                                                     {"260", "XdfGR8"},
                                                                                     {"41", "4dX3Rr"}}};
 constexpr std::array<std::string_view, 4> buffer_ids = {"4dXGR8", "XsXGR8", "4sXGR8", "XdfGR8"};
-// Textures of which the site keeps one channel.
+// Textures of which the site keeps one channel: Bayer, two sizes of grey noise, pebbles. The API numbers
+// them, so they are known by their file as well.
 constexpr std::array<std::string_view, 4> red_ids = {"Xdf3zn", "4sf3Rn", "4dXGzn", "4sf3Rr"};
+constexpr std::array<std::string_view, 4> red_files = {
+    "85a6d68622b36995ccb98a89bbb119edf167c914660e4450d313de049320005c.png",
+    "0a40562379b63dfb89227e6d172f39fdce9022cba76623f1054a2c83d6c0ba5d.png",
+    "0c7bf5fe9462d5bffbd11126e82908e39be3ce56220d900f633d58fb432e56f5.png",
+    "ad56fba948dfba9ae698198c109e71f118a54d209c0ea50d77ea546abad89c57.png"};
+
+bool has_one_channel(const std::string& id, const std::string& source) {
+  return std::find(red_ids.begin(), red_ids.end(), id) != red_ids.end() ||
+         std::any_of(red_files.begin(), red_files.end(),
+                     [&](std::string_view file) { return source.ends_with(file); });
+}
 
 // An id is a number or a string.
 std::string read_id(const Json& object) {
@@ -193,8 +205,7 @@ Input JsonInputs::read(const Json& json) {
     return input;
   }
   input.sampler = read_sampler(json, input.kind);
-  input.red_only =
-      input.kind == InputKind::texture && std::find(red_ids.begin(), red_ids.end(), id) != red_ids.end();
+  input.red_only = input.kind == InputKind::texture && has_one_channel(id, source);
   return input;
 }
 

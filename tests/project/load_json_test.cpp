@@ -154,6 +154,20 @@ TEST_F(LoadJson, FindsMediaInTheMediaFolder) {
   EXPECT_TRUE(project.warnings.empty());
 }
 
+TEST_F(LoadJson, KnowsTexturesOfOneChannelByTheirFileWhenTheApiNumbersThem) {
+  for (const char* file : {"85a6d68622b36995ccb98a89bbb119edf167c914660e4450d313de049320005c.png",
+                           "0a40562379b63dfb89227e6d172f39fdce9022cba76623f1054a2c83d6c0ba5d.png",
+                           "0c7bf5fe9462d5bffbd11126e82908e39be3ce56220d900f633d58fb432e56f5.png",
+                           "ad56fba948dfba9ae698198c109e71f118a54d209c0ea50d77ea546abad89c57.png",
+                           "f735bee5b64ef98879dc618b016ecf7939a5756040c2cde21ccb15e69a6e1cfb.png"}) {
+    folder_.write(std::string("m/media/a/") + file, "");
+    const Project project =
+        load(api({pass("image", 37, {input(30, 0, "texture", std::string("/media/a/") + file)})}),
+             {.media = folder_.path() / "m"});
+    EXPECT_EQ(project.passes[0].inputs[0].red_only, file[0] != 'f') << file;
+  }
+}
+
 TEST_F(LoadJson, FindsTheFacesOfACubemapByTheExtensionsNamesToo) {
   for (const char* face : {"px", "nx", "py", "ny", "pz", "nz"})
     folder_.write(std::string("m/sky_") + face + ".png", "");
