@@ -1,5 +1,8 @@
 #include "host/project/entry_points.h"
 
+#include <map>
+#include <string_view>
+
 namespace shadertwin {
 
 namespace {
@@ -26,9 +29,29 @@ bool names_itself(const std::vector<Token>& tokens, std::size_t i) {
   return false;
 }
 
+bool is_entry(std::string_view name) {
+  return name == "mainImage" || name == "mainSound" || name == "mainCubemap" || name == "mainVR";
+}
+
+// Macros that are another name for an entry point: `#define M mainSound`.
+std::map<std::string_view, std::string_view> other_names(const std::vector<Token>& tokens) {
+  std::map<std::string_view, std::string_view> names;
+  for (std::size_t i = 3; i < tokens.size(); ++i) {
+    const bool last = i + 1 == tokens.size() || !tokens[i + 1].preprocessor || tokens[i + 1].first;
+    if (last && is_entry(tokens[i].text) && tokens[i - 2].is("define") && tokens[i - 3].is("#"))
+      names[tokens[i - 1].text] = tokens[i].text;
+  }
+  return names;
+}
+
 }  // namespace
 
-EntryPoints find_entry_points(const std::vector<Token>& tokens) {
+EntryPoints find_entry_points(const std::vector<Token>& written) {
+  std::vector<Token> tokens = written;
+  if (const auto names = other_names(tokens); !names.empty())
+    for (Token& token : tokens)
+      if (const auto name = names.find(token.text); !token.preprocessor && name != names.end())
+        token.text = name->second;
   EntryPoints found;
   bool of_sample = false;
   bool of_time = false;

@@ -242,7 +242,12 @@ TEST_F(LoadJson, TakesBothFormsOfMainSound) {
   EXPECT_NE(head("vec2 mainSound(in int samp, float time) { return vec2(0); }")
                 .find("vec2 mainSound(in int, in float);"),
             std::string::npos);
-  EXPECT_NE(head("vec2 mainSound(float time) { return vec2(0); }").find("vec2 mainSound(in float);"),
+  for (const char* code : {"vec2 mainSound(float time) { return vec2(0); }",
+                           "#define play mainSound\nvec2 play(float time) { return vec2(0); }",
+                           "#define SOUND(t) vec2 mainSound(float t)\nSOUND(time) { return vec2(0); }"})
+    EXPECT_NE(head(code).find("vec2 mainSound(in float);"), std::string::npos) << code;
+  EXPECT_NE(head("#define play mainSound\nvec2 play(int samp, float time) { return vec2(0); }")
+                .find("vec2 mainSound(in int, in float);"),
             std::string::npos);
 }
 
