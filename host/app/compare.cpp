@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <set>
 
 #include "host/app/command.h"
 #include "host/app/options.h"
@@ -88,8 +89,9 @@ void run_compare(const CompareOptions& options) {
     throw Error(ExitStatus::usage, "compare needs --on twice, once for each of the two players");
   const Schedule schedule = make_schedule(options);
   const Project project = load(options);
-  const auto a = open_player(options.players[0], project, options);
-  const auto b = open_player(options.players[1], project, options);
+  std::set<std::string> told;
+  const auto a = open_player(options.players[0], project, options, &told);
+  const auto b = open_player(options.players[1], project, options, &told);
   FixedClock clock(schedule, project.dialect);
 
   const int only = options.pass.empty() ? -1 : chosen_pass(project, options);

@@ -43,8 +43,8 @@ gl::Dispatch dispatch_of(const std::string& on) {
   return how == "compute" ? gl::Dispatch::compute : gl::Dispatch::fragment;
 }
 
-std::unique_ptr<Player> open_player(const std::string& on, const Project& project,
-                                    const PlayOptions& options) {
+std::unique_ptr<Player> open_player(const std::string& on, const Project& project, const PlayOptions& options,
+                                    std::set<std::string>* told) {
   const std::size_t slash = on.find('/');
   const std::string device = on.substr(0, slash);
   const std::string how = slash == std::string::npos ? "" : on.substr(slash + 1);
@@ -53,7 +53,8 @@ std::unique_ptr<Player> open_player(const std::string& on, const Project& projec
     throw Error(ExitStatus::usage, "--tile and --timeout are for --on cpu only");
   auto player = twin ? open_twin(how, project, options) : open_gl(on, project, options);
   if (!options.quiet)
-    for (const std::string& warning : player->warnings()) std::fprintf(stderr, "%s\n", warning.c_str());
+    for (const std::string& warning : player->warnings())
+      if (told == nullptr || told->insert(warning).second) std::fprintf(stderr, "%s\n", warning.c_str());
   return player;
 }
 

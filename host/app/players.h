@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 
 #include "host/app/options.h"
@@ -16,9 +17,9 @@ namespace shadertwin::app {
 gl::Dispatch dispatch_of(const std::string& on);
 
 // `on`: auto | egl[:N] | osmesa, then /fragment or /compute if wanted; or cpu | cpu/double. Prints the
-// player's warnings unless --quiet. Throws Error(usage) for another name or an option that the player can't
-// take, and what the player throws.
-std::unique_ptr<Player> open_player(const std::string& on, const Project& project,
-                                    const PlayOptions& options);
+// player's warnings unless --quiet, but not those in `told`, which keeps them. Throws Error(usage) for
+// another name or an option that the player can't take, and what the player throws.
+std::unique_ptr<Player> open_player(const std::string& on, const Project& project, const PlayOptions& options,
+                                    std::set<std::string>* told = nullptr);
 
 }  // namespace shadertwin::app

@@ -33,6 +33,19 @@ TEST_F(CompareCommand, PreciseMakesLlvmpipeAndTheTwinAgree) {
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 
+// Both players miss it; the user has to read it once.
+TEST_F(CompareCommand, WhatIsMissingIsToldOnce) {
+  folder.write(
+      "toy.json",
+      R"({"Shader": {"renderpass": [{"type": "image", "outputs": [], "inputs": [{"id": 31, "ctype": "webcam",
+               "channel": 0, "src": "/presets/webcam.png"}], "name": "",
+               "code": "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }"}]}})");
+  const Outcome outcome = run(folder, "compare toy.json --on egl --on cpu --size 4x3");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.error_lines(), 1) << outcome.err;
+  EXPECT_NE(outcome.err.find("warning: "), std::string::npos);
+}
+
 TEST_F(CompareCommand, EglAndOsmesaGiveTheSameBitsInEveryPass) {
   const Outcome outcome = run(folder,
                               "compare main.glsl --on egl --on osmesa --size 32x18 --frames 5 --every-frame "
