@@ -177,15 +177,27 @@ class GlPlayerImpl final : public GlPlayer {
         state.compute ? Program::compute(gl_, project_, pass) : Program::fragment(gl_, project_, pass);
   }
 
+  // Once, for the first such pass.
+  void warn_as_written(const std::string& pass, const std::string& reason) {
+    if (std::exchange(warned_as_written_, true)) return;
+    warnings_.push_back(pass +
+                        ": warning: runs as written, so what it leaves undefined is the driver's choice: " +
+                        reason.substr(0, reason.find('\n')));
+  }
+
   void compile(std::size_t index, Dispatch dispatch) {
     PassState& state = passes_[index];
     const std::size_t warned = warnings_.size();
+    const Pass& pass = project_.passes[index];
     try {
-      make_program(index, rewritten_ ? rewritten_->passes[index] : project_.passes[index], dispatch);
+      make_program(index, rewritten_ ? rewritten_->passes[index] : pass, dispatch);
+      if (rewritten_ && rewritten_->passes[index].source.text() == pass.source.text())
+        warn_as_written(pass.name, "the text can't be read for rewriting it, although the driver takes it");
     } catch (const Error& error) {
       if (!rewritten_ || error.status() != ExitStatus::shader) throw;
       warnings_.resize(warned);
-      make_program(index, project_.passes[index], dispatch);
+      make_program(index, pass, dispatch);
+      warn_as_written(pass.name, std::string("the driver refuses the rewritten text: ") + error.what());
     }
     state.uniforms.emplace(gl_, *state.program, project_);
     state.face = state.program->uniform("shadertwin_face");
@@ -338,6 +350,7 @@ class GlPlayerImpl final : public GlPlayer {
   std::vector<PassState> passes_;
   glm::ivec2 size_{0};
   std::vector<std::string> warnings_;
+  bool warned_as_written_ = false;
   std::optional<PassTimers> timers_;
 };
 

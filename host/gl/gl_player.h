@@ -22,7 +22,7 @@ struct PlayerOptions {
   Dispatch dispatch = Dispatch::automatic;
   bool timers = false;  // measure every pass on the GPU
   // Given the project, gives the texts to compile, if not its own: pass i in place of pass i. A text that the
-  // driver refuses falls back to the project's.
+  // driver refuses, or that was left as it is, falls back to the project's with a warning.
   std::function<Project(const Project&)> rewrite = {};
 };
 

@@ -52,6 +52,33 @@ TEST_P(ShaderErrors, NameTheLineInCommonAndInATab) {
   }
 }
 
+// Whoever gives a text that the driver refuses gets the shader's own, and one warning for all passes.
+TEST_P(ShaderErrors, ARewrittenTextThatIsRefusedIsReplacedWithOneWarning) {
+  folder.write("b.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(2); }");
+  const auto shader =
+      folder.write("a.glsl",
+                   "#iChannel0 \"b.glsl\"\nvoid mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, "
+                   "ivec2(p), 0); }\n");
+  const Project project = load_project(shader);
+  gl::PlayerOptions options{GetParam().dispatch};
+  options.rewrite = [](const Project& own) {
+    Project broken = own;
+    for (Pass& pass : broken.passes) pass.source.body += "\nfloat broken = ;\n";
+    return broken;
+  };
+  const auto player = gl::GlPlayer::create(gl::open_context(GetParam().name), project, options);
+  ASSERT_EQ(player->warnings().size(), 1U);
+  EXPECT_EQ(player->warnings()[0].rfind("b: warning: runs as written", 0), 0U) << player->warnings()[0];
+  EXPECT_NE(player->warnings()[0].find("the driver refuses the rewritten text: "), std::string::npos);
+  EXPECT_EQ(player->warnings()[0].find('\n'), std::string::npos);
+  FixedClock clock(small(), project.dialect);
+  player->render(clock.next());
+  EXPECT_EQ(pixel(player->read(1)), glm::vec4(2));
+  options.rewrite = [](const Project& own) { return own; };
+  EXPECT_EQ(gl::GlPlayer::create(gl::open_context(GetParam().name), project, options)->warnings().size(), 1U)
+      << "a text that could not be rewritten";
+}
+
 SHADERTWIN_ON_EVERY_DEVICE(ShaderErrors);
 
 }  // namespace
