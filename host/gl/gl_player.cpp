@@ -68,9 +68,10 @@ class GlPlayerImpl final : public GlPlayer {
       const PassKind kind = project_.passes[i].kind;
       passes_.emplace_back(Target(*context_, kind == PassKind::cubemap ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D,
                                   rounds_.pictures(i), needs_mipmaps(project_, i)));
-      if (kind == PassKind::sound) continue;
-      compile(i, options.dispatch);
-      bind_inputs(i);
+      // An error in any pass keeps shadertoy.com from playing any other, the sound among them.
+      const bool sound = kind == PassKind::sound;
+      compile(i, sound ? Dispatch::fragment : options.dispatch);
+      if (!sound) bind_inputs(i);
     }
     if (options.timers) timers_.emplace(*context_, passes_.size());
   }
@@ -104,8 +105,7 @@ class GlPlayerImpl final : public GlPlayer {
     if (pass < 0) throw Error(ExitStatus::usage, "the shader has no Sound pass (mainSound)");
     const auto index = static_cast<std::size_t>(pass);
     PassState& state = passes_[index];
-    if (!state.program) {
-      compile(index, Dispatch::fragment);
+    if (state.target.size().x == 0) {
       bind_inputs(index);
       state.target.resize(glm::ivec2(sound_block_side), false);
     }

@@ -175,10 +175,12 @@ class TwinPlayerImpl final : public TwinPlayer {
     };
     std::map<std::filesystem::path, Job> jobs;  // passes of the same text need one twin
     for (const Pass& pass : project_.passes) {
-      if (pass.kind == PassKind::sound) continue;
       const std::filesystem::path object = object_path(pass);
-      if (!std::filesystem::exists(object))
-        jobs[object] = {emit_cpp(project_, pass, emit_options()), compile_options(pass)};
+      if (std::filesystem::exists(object)) continue;
+      std::string text = emit_cpp(project_, pass, emit_options());
+      // An error in a sound keeps shadertoy.com from playing the pictures; it is compiled when it is to be
+      // heard.
+      if (pass.kind != PassKind::sound) jobs[object] = {std::move(text), compile_options(pass)};
     }
     oneapi::tbb::parallel_for_each(
         jobs, [&](const auto& job) { compiler_.compile(job.second.source, job.first, job.second.options); });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "host/base/error.h"
 #include "host/gl/gl_player.h"
 #include "host/player/fixed_clock.h"
 #include "reference/twin/twin_player.h"
@@ -251,6 +252,31 @@ TEST_P(SiteRules, KeyboardChannelHasOneColourAndShowsAPressForOneFrame) {
     for (int y = 0; y < 3; ++y)
       EXPECT_EQ(pixel(image, 0, y), glm::vec4(rows[i][y], 0, 0, 1)) << "frame " << i << ", row " << y;
   }
+}
+
+// shadertoy.com plays nothing as long as a pass has an error, and says where.
+TEST_P(SiteRules, AnErrorInTheSoundKeepsThePicturesFromPlaying) {
+  folder.write("tabs/image.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }");
+  folder.write("tabs/sound.glsl", "vec2 mainSound(int s, float t) {\n  return vec3(t);\n}\n");
+  try {
+    play(load_project(folder / "tabs"));
+    FAIL() << "it plays";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), ExitStatus::shader);
+    EXPECT_NE(std::string(error.what()).find("sound.glsl:2: error: "), std::string::npos) << error.what();
+  }
+}
+
+// The names of entry points may be macros.
+TEST_P(SiteRules, MacrosMayNameTheEntryPoints) {
+  folder.write("tabs/image.glsl",
+               "#define I mainImage\nvoid I(out vec4 c, in vec2 p) { c = vec4(.25, .5, .75, 0); }");
+  folder.write("tabs/sound.glsl", "#define S mainSound\nvec2 S(float t) { return vec2(t, .5); }\n");
+  const Project project = load_project(folder / "tabs");
+  const auto player = play(project);
+  player->render(frame(0));
+  EXPECT_EQ(pixel(player->read(1)), glm::vec4(.25F, .5F, .75F, 1));
+  EXPECT_EQ(pixel(player->sound_block(0, glm::vec4(0)), 441), glm::vec4(.01F, .5F, 0, 1));
 }
 
 std::string player_name(const testing::TestParamInfo<std::string>& player) {
