@@ -11,7 +11,7 @@ namespace shadertwin::view {
 
 namespace {
 
-constexpr std::array<Binding, 15> table = {{
+constexpr std::array<Binding, 16> table = {{
     {Action::help, GLFW_KEY_F1, 0, "F1", "this list"},
     {Action::hud, GLFW_KEY_F2, 0, "F2", "frame rate, times, resolution, device"},
     {Action::inspector, GLFW_KEY_F3, 0, "F3",
@@ -20,6 +20,7 @@ constexpr std::array<Binding, 15> table = {{
     {Action::uniforms, GLFW_KEY_F4, 0, "F4", "sliders of the shader's #iUniforms"},
     {Action::reset, GLFW_KEY_F5, 0, "F5", "back to time zero"},
     {Action::pause, GLFW_KEY_F6, 0, "F6", "pause, go on"},
+    {Action::mute, GLFW_KEY_F6, GLFW_MOD_SHIFT, "Shift+F6", "sound off, on"},
     {Action::step, GLFW_KEY_F7, 0, "F7", "pause and draw one more frame"},
     {Action::previous_pass, GLFW_KEY_F8, 0, "F8", "show the previous pass"},
     {Action::next_pass, GLFW_KEY_F9, 0, "F9", "show the next pass"},

@@ -13,6 +13,7 @@ enum class Action {
   uniforms,
   reset,
   pause,
+  mute,
   step,
   previous_pass,
   next_pass,

@@ -193,7 +193,7 @@ void SoundOutput::follow(double time, double now, bool by_frames) {
     mark_time_ = time;
     mark_now_ = now;
   }
-  tempo_ = {time, now, tempo_.speed, true};
+  tempo_ = {time, now, tempo_.speed, !muted_};
   wake_.notify_all();
 }
 
@@ -203,6 +203,11 @@ void SoundOutput::rest() {
   tempo_.running = false;
   mark_now_ = -1.0;
   wake_.notify_all();
+}
+
+void SoundOutput::mute(bool muted) {
+  muted_ = muted;
+  if (muted) rest();
 }
 
 std::optional<std::string> SoundOutput::take_problem() {

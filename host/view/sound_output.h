@@ -32,6 +32,9 @@ class SoundOutput {
   void follow(double time, double now, bool by_frames);
   // The picture stands still: silence, until it is followed again.
   void rest();
+  // Silence, whatever the picture does.
+  void mute(bool muted);
+  bool muted() const { return muted_; }
   // Why nothing is heard of the project, once. Window::wake() ends the wait for it.
   std::optional<std::string> take_problem();
 
@@ -55,6 +58,7 @@ class SoundOutput {
 
   MakePlayer make_player_;
   std::function<void(const std::string&)> warn_;
+  bool muted_ = false;
   std::string sounding_;    // what play() was called for last
   double mark_time_ = 0.0;  // from where the pace of frames is measured
   double mark_now_ = -1.0;

@@ -235,6 +235,10 @@ class View {
         clock_.set_paused(!clock_.paused());
         if (clock_.paused()) sound_.rest();
         break;
+      case Action::mute:
+        sound_.mute(!sound_.muted());
+        notice(sound_.muted() ? "sound off" : "sound on");
+        break;
       case Action::step:
         clock_.step();
         break;

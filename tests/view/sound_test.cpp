@@ -111,6 +111,23 @@ TEST_F(SoundInTheWindow, RestsWhilePausedAndFollowsAReset) {
   EXPECT_EQ(view.quit(), 0) << view.err();
 }
 
+TEST_F(SoundInTheWindow, GoesOffAndOnByAKeyWhileThePictureGoesOn) {
+  RunningView view(screen, folder, "toy --size 64x36", with("file.conf"));
+  ASSERT_TRUE(hears(0.5)) << view.err();
+  view.key("shift+F6");
+  ASSERT_TRUE(view.says("sound off")) << view.err();
+  std::size_t size = 0;
+  EXPECT_TRUE(eventually([&] { return std::exchange(size, heard().size()) == heard().size(); }));
+  view.let_frames_pass();
+  screen.hand("sleep 0.7");
+  EXPECT_EQ(heard().size(), size);
+  const long last = runs(heard()).back().second;
+  view.key("shift+F6");
+  ASSERT_TRUE(eventually([&] { return heard().size() > size + rate / 5; })) << view.err();
+  EXPECT_GT(runs(heard()).back().first, last + rate / 4) << "in time with the picture again";
+  EXPECT_EQ(view.quit(), 0);
+}
+
 TEST_F(SoundInTheWindow, GoesAtThePaceOfItsFrames) {
   // 64 x 36 pixels come at 60 Hz or slower: with a quarter of a second a frame, the picture runs fast.
   RunningView view(screen, folder, "toy --size 64x36 --fixed --fps 4", with("file.conf"));
@@ -167,14 +184,17 @@ TEST_F(SoundInTheWindow, IsOneWarningWithoutALoudspeakerAndNothingWhenMuted) {
   EXPECT_FALSE(std::filesystem::exists(heard_file()));
 }
 
-TEST_F(SoundInTheWindow, ErrorsInTheSoundTabAreShownAndRecover) {
-  const std::string good = contents(folder / "toy/sound.glsl");
-  folder.write("toy/sound.glsl", "vec2 mainSound(int samp, float time) {\n  return vec2(time;\n}\n");
+TEST_F(SoundInTheWindow, ASavedSoundTabIsHeardInPlaceOfTheOldOneUnlessItHasErrors) {
   RunningView view(screen, folder, "toy --size 64x36", with("file.conf"));
+  ASSERT_TRUE(hears(0.3)) << view.err();
+  folder.write("toy/sound.glsl", "vec2 mainSound(int samp, float time) {\n  return vec2(time;\n}\n");
   ASSERT_TRUE(view.says("sound.glsl:2: error: ")) << view.err();
-  EXPECT_GE(view.shoot().frame, 0) << "the picture goes on";
-  folder.write("toy/sound.glsl", good);
-  EXPECT_TRUE(hears(0.3)) << view.err();
+  const std::size_t size = heard().size();
+  EXPECT_TRUE(eventually([&] { return heard().size() > size + rate; })) << "the old one goes on";
+  EXPECT_GT(heard().back(), -1.0F);
+  EXPECT_LT(heard().back(), 0.0F);
+  folder.write("toy/sound.glsl", "vec2 mainSound(int samp, float time) { return vec2(.25, .5); }\n");
+  EXPECT_TRUE(eventually([&] { return heard().back() == 0.5F; })) << view.err();
   EXPECT_EQ(view.quit(), 0);
 }
 
