@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 
-import { openBrowser, openPage } from './browser.mjs';
+import { openBrowser } from './browser.mjs';
 import { readExr } from './exr.mjs';
 import { openPlayer, playFrames, readPass, renderPass, shadertwin } from './player.mjs';
 
@@ -52,58 +52,56 @@ function makeWav(samples) {
   return bytes;
 }
 
-// [spectrum, wave] of each frame, of the file played in a loop.
-async function analysedInBrowser(wav) {
-  const page = await openPage(browser, { width: 64, height: 64 });
+const toy = JSON.stringify({
+  Shader: {
+    renderpass: [
+      {
+        name: 'Image',
+        type: 'image',
+        inputs: [{ id: 1, channel: 0, ctype: 'music', src: '/media/a/music.wav' }],
+        outputs: [{ id: 37, channel: 0 }],
+        code: 'void mainImage(out vec4 c, vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0); }',
+      },
+    ],
+  },
+});
+const file = '#iChannel0 "music.wav"\nvoid mainImage(out vec4 c, vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0); }\n';
+
+// [spectrum, wave] of each frame, of the file played in a loop: what the page of the shader makes of it.
+async function analysedInBrowser(wav, shader, site) {
+  const html = path.join(folder, `${path.basename(shader)}.html`);
+  execFileSync(shadertwin, ['export', shader, '--quiet', '--to', 'html', '-o', html]);
+  const page = await openPlayer(browser, html, [64, 64]);
+  assert.deepEqual(page.messages, []);
   const result = await page.evaluate(
-    async ({ base64, rate, step, frames }) => {
+    async ({ base64, rate, step, frames, site }) => {
       const context = new OfflineAudioContext(2, step * (frames + 1), rate);
       const source = context.createBufferSource();
       source.buffer = await context.decodeAudioData(Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)).buffer);
       source.loop = true;
-      const analyser = context.createAnalyser();
-      source.connect(analyser);
+      const { analyser, fill } = window.shadertwin.analysed(source, site);
       analyser.connect(context.destination);
       source.start();
       const heard = [];
       for (let i = 0; i < frames; ++i)
         context.suspend((i * step) / rate).then(() => {
-          const spectrum = new Uint8Array(512);
-          const wave = new Uint8Array(512);
-          analyser.getByteFrequencyData(spectrum);
-          analyser.getByteTimeDomainData(wave);
-          heard.push([[...spectrum], [...wave]]);
+          const values = new Uint8Array(1024);
+          fill(values);
+          heard.push([[...values.subarray(0, 512)], [...values.subarray(512)]]);
           context.resume();
         });
       await context.startRendering();
       return heard;
     },
-    { base64: wav.toString('base64'), rate, step, frames },
+    { base64: wav.toString('base64'), rate, step, frames, site },
   );
   await page.context().close();
   return result;
 }
 
-function analysedHere(wav) {
-  writeFileSync(path.join(folder, 'music.wav'), wav);
-  writeFileSync(
-    path.join(folder, 'toy.json'),
-    JSON.stringify({
-      Shader: {
-        renderpass: [
-          {
-            name: 'Image',
-            type: 'image',
-            inputs: [{ id: 1, channel: 0, ctype: 'music', src: '/media/a/music.wav' }],
-            outputs: [{ id: 37, channel: 0 }],
-            code: 'void mainImage(out vec4 c, vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0); }',
-          },
-        ],
-      },
-    }),
-  );
+function analysedHere(shader) {
   execFileSync(shadertwin, [
-    'render', path.join(folder, 'toy.json'), '--quiet', '--size', '512x2', '--frames', String(frames),
+    'render', shader, '--quiet', '--size', '512x2', '--frames', String(frames),
     '--fps', String(rate / step), '-o', path.join(folder, 'frame_%02d.exr'),
   ]);
   return [...Array(frames).keys()].map((i) => {
@@ -113,24 +111,28 @@ function analysedHere(wav) {
   });
 }
 
-test("music is what the browser's analyser hears, also when it starts again", async () => {
-  const wav = makeWav(step * 25 + 301); // it starts again between two frames
-  const there = await analysedInBrowser(wav);
-  const here = analysedHere(wav);
-  assert.equal(there.length, frames);
-  assert.ok(there[20][0].some((level) => level > 150), 'there is something to hear');
-  let differing = 0;
-  for (let i = 0; i < frames; ++i) {
-    assert.deepEqual(here[i][1], there[i][1], `wave of frame ${i}`);
-    for (let bin = 0; bin < 512; ++bin) {
-      const distance = Math.abs(here[i][0][bin] - there[i][0][bin]);
-      assert.ok(distance <= 1, `frame ${i}, bin ${bin}: ${here[i][0][bin]} instead of ${there[i][0][bin]}`);
-      differing += distance;
+for (const [name, text, site] of [['toy.json', toy, true], ['file.glsl', file, false]])
+  test(`music is what the browser's analyser hears, also when it starts again: ${name}`, async () => {
+    const wav = makeWav(step * 25 + 301); // it starts again between two frames
+    writeFileSync(path.join(folder, 'music.wav'), wav);
+    const shader = path.join(folder, name);
+    writeFileSync(shader, text);
+    const there = await analysedInBrowser(wav, shader, site);
+    const here = analysedHere(shader);
+    assert.equal(there.length, frames);
+    assert.ok(there[20][0].some((level) => level > 150), 'there is something to hear');
+    let differing = 0;
+    for (let i = 0; i < frames; ++i) {
+      assert.deepEqual(here[i][1], there[i][1], `wave of frame ${i}`);
+      for (let bin = 0; bin < 512; ++bin) {
+        const distance = Math.abs(here[i][0][bin] - there[i][0][bin]);
+        assert.ok(distance <= 1, `frame ${i}, bin ${bin}: ${here[i][0][bin]} instead of ${there[i][0][bin]}`);
+        differing += distance;
+      }
     }
-  }
-  // The browser's FFT has floats: a level may fall on the other side of a whole number.
-  assert.ok(differing <= 0.002 * 512 * frames, `${differing} of ${512 * frames} levels differ by one`);
-});
+    // The browser's FFT has floats: a level may fall on the other side of a whole number.
+    assert.ok(differing <= 0.002 * 512 * frames, `${differing} of ${512 * frames} levels differ by one`);
+  });
 
 // The .bin that shadertoy.com serves.
 function makeVolume(size, channels) {

@@ -201,4 +201,5 @@ window.shadertwin = {
   // A pass by its name: { width, height, rgba }, the bottom row first.
   read: (name) => player.renderer.read(project.passes.find((pass) => pass.name === name)),
   passes: project.passes.map((pass) => pass.name),
+  analysed, // of an audio node and a dialect: how a channel shows it
 };
