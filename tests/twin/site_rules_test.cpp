@@ -1,75 +1,11 @@
-// What shadertoy.com's passes, targets and channels do, on every player and precision: the same small shaders
-// on OpenGL, as fragments and as compute, and on the twin, in float and in double.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <memory>
-
+// What shadertoy.com's passes and targets do, on every player.
 #include "host/base/error.h"
-#include "host/gl/gl_player.h"
-#include "host/player/fixed_clock.h"
-#include "reference/twin/twin_player.h"
-#include "tests/scratch_folder.h"
+#include "tests/twin/every_player.h"
 
 namespace shadertwin {
 namespace {
 
-class SiteRules : public testing::TestWithParam<std::string> {
- protected:
-  static std::unique_ptr<Player> play(const Project& project) {
-    const std::string& name = GetParam();
-    if (name.starts_with("cpu")) {
-      twin::TwinOptions options;
-      options.double_precision = name == "cpu/double";
-      return twin::TwinPlayer::create(project, options);
-    }
-    gl::PlayerOptions options;
-    options.dispatch = name.ends_with("compute") ? gl::Dispatch::compute : gl::Dispatch::fragment;
-    return gl::GlPlayer::create(gl::open_context(name.substr(0, name.find('/'))), project, options);
-  }
-
-  static Frame frame(int index, int width = 4, int height = 3) {
-    Frame frame;
-    frame.width = width;
-    frame.height = height;
-    frame.index = index;
-    return frame;
-  }
-
-  // The picture after each of `count` frames.
-  static std::vector<Image> pictures(const Project& project, int count, int width = 4, int height = 3) {
-    const auto player = play(project);
-    std::vector<Image> result;
-    for (int i = 0; i < count; ++i) {
-      player->render(frame(i, width, height));
-      result.push_back(player->read(static_cast<int>(project.passes.size()) - 1));
-    }
-    return result;
-  }
-
-  static glm::vec4 pixel(const Image& image, int x = 0, int y = 0) {
-    const float* p = image.at(x, y);
-    return {p[0], p[1], p[2], p[3]};
-  }
-
-  // A shader as the API gives it. `passes`: the texts of the renderpass objects.
-  std::filesystem::path json(const std::string& name, const std::string& passes) const {
-    return folder.write(name,
-                        R"({"Shader": {"ver": "0.1", "info": {"id": "x"}, "renderpass": [)" + passes + "]}}");
-  }
-  static std::string pass(const std::string& type, int id, const std::string& inputs,
-                          const std::string& code) {
-    return R"({"type": ")" + type + R"(", "name": "", "outputs": [{"id": )" + std::to_string(id) +
-           R"(, "channel": 0}], "inputs": [)" + inputs + R"(], "code": ")" + code + "\"}";
-  }
-  static std::string input(int id, const std::string& type, int channel, const std::string& source = "") {
-    return R"({"id": )" + std::to_string(id) + R"(, "ctype": ")" + type + R"(", "channel": )" +
-           std::to_string(channel) + R"(, "src": ")" + source +
-           R"(", "sampler": {"filter": "nearest", "wrap": "clamp", "vflip": "true"}})";
-  }
-
-  ScratchFolder folder;
-};
+using SiteRules = OnEveryPlayer;
 
 // Buffers draw in the order of the array: who stands first reads the other's last frame.
 TEST_P(SiteRules, BuffersDrawInTheOrderOfTheJson) {
@@ -151,21 +87,6 @@ TEST_P(SiteRules, ResizingKeepsWhatADiscardLeaves) {
   EXPECT_EQ(pixel(player->read(1), 5, 4), glm::vec4(0, 0, 0, 1));
 }
 
-TEST_P(SiteRules, EmptyChannelsOfEveryKindAreOpaqueBlack) {
-  const std::string lookups =
-      "void mainImage(out vec4 c, in vec2 p) { c = vec4(texture(iChannel0, vec3(p, 1)).a, texture(iChannel1, "
-      "vec3(p, "
-      "1)).a, texture(iChannel2, p).a, 1) + vec4(texture(iChannel0, vec3(1)).rgb + texture(iChannel1, "
-      "vec3(0)).rgb + "
-      "texture(iChannel2, p).rgb, 0); }";
-  const Project project =
-      load_project(json("empty.json", pass("image", 37,
-                                           input(23, "cubemap", 0, "/media/a/no.jpg") + "," +
-                                               input(24, "volume", 1, "/media/a/no.bin"),
-                                           lookups)));
-  EXPECT_EQ(pixel(pictures(project, 1)[0], 1, 1), glm::vec4(1));
-}
-
 TEST_P(SiteRules, FragCoordIsThePixelsCentreAlsoFarOut) {
   folder.write("tabs/image.glsl",
                "void mainImage(out vec4 c, in vec2 p) {\n"
@@ -182,76 +103,48 @@ TEST_P(SiteRules, FragCoordIsThePixelsCentreAlsoFarOut) {
   }
 }
 
-// The API's spelling of a shader and the site's: ids as numbers or strings, ctype and src or type and
-// filepath.
-TEST_P(SiteRules, BothSpellingsOfAJsonDrawTheSamePicture) {
-  Image texture(2, 2);
-  for (std::size_t i = 0; i < texture.rgba.size(); ++i) texture.rgba[i] = static_cast<float>(i % 7) / 8;
-  write_image(texture, folder / "t.png");
-  const std::string buffer =
-      "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel3, ivec2(p) % 2, 0) + .5 * "
-      "texelFetch(iChannel0, "
-      "ivec2(p), 0); }";
-  const std::string image =
-      "void mainImage(out vec4 c, in vec2 p) { c = sqrt(texelFetch(iChannel1, ivec2(p), 0)) + "
-      "texelFetch(iChannel2, ivec2(0), 0); }";
-  const Project api = load_project(
-      json("api.json",
-           pass("image", 37, input(258, "buffer", 1) + "," + input(33, "keyboard", 2, "/presets/tex00.jpg"),
-                image) +
-               "," +
-               pass("buffer", 258, input(5, "texture", 3, "/media/a/t.png") + "," + input(258, "buffer", 0),
-                    buffer)));
-  const auto site_input = [](const std::string& id, const std::string& type, int channel,
-                             const std::string& path) {
-    return R"({"id": ")" + id + R"(", "type": ")" + type + R"(", "channel": )" + std::to_string(channel) +
-           R"(, "filepath": ")" + path +
-           R"(", "sampler": {"filter": "nearest", "wrap": "clamp", "vflip": true}, "published": 1})";
-  };
-  const auto site_pass = [](const std::string& type, const std::string& id, const std::string& inputs,
-                            const std::string& code) {
-    return R"({"type": ")" + type + R"(", "name": "", "outputs": [{"id": ")" + id +
-           R"(", "channel": 0}], "inputs": [)" + inputs + R"(], "code": ")" + code + "\"}";
-  };
-  const Project site = load_project(folder.write(
-      "site.json", R"([{"ver": "0.1", "renderpass": [)" +
-                       site_pass("image", "4dfGRr",
-                                 site_input("XsXGR8", "buffer", 1, "/media/previz/buffer01.png") + "," +
-                                     site_input("4dXGRr", "keyboard", 2, "/presets/tex00.jpg"),
-                                 image) +
-                       "," +
-                       site_pass("buffer", "XsXGR8",
-                                 site_input("Xsf3zn", "texture", 3, "/media/a/t.png") + "," +
-                                     site_input("XsXGR8", "buffer", 0, "/media/previz/buffer01.png"),
-                                 buffer) +
-                       "]}]"));
-  const auto a = pictures(api, 3);
-  const auto b = pictures(site, 3);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(a[i].rgba, b[i].rgba) << "frame " << i;
-  EXPECT_NE(a[1].rgba, a[2].rgba);
-  EXPECT_GT(pixel(a[2], 1, 1).x, 0.0F);
+TEST_P(SiteRules, BuffersStartAtZeroAndKeepEveryFloat) {
+  const std::string a =
+      pass("buffer", 257, input(257, "buffer", 0),
+           "void mainImage(out vec4 c, in vec2 p) { vec4 old = texelFetch(iChannel0, ivec2(p), 0); "
+           "if (iFrame == 0) c = p.x < 1. ? old : vec4(-3.5, 1000.25, 1e30, -1e-30); else c = p.x < 1. "
+           "? vec4(old.a, old.r, 7, 8) : old; }");
+  const std::string b =
+      pass("buffer", 258, input(258, "buffer", 0),
+           "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0); if (iFrame "
+           "== 0) c += 1.; }");
+  const Project project = load_project(json(
+      "floats.json", a + "," + b + "," + pass("image", 37, "", "void mainImage(out vec4 c, in vec2 p) {}")));
+  const auto player = play(project);
+  for (int i = 0; i < 4; ++i) {
+    player->render(frame(i));
+    EXPECT_EQ(pixel(player->read(0), 0), i == 0   ? glm::vec4(0)
+                                         : i == 1 ? glm::vec4(0, 0, 7, 8)
+                                                  : glm::vec4(8, i == 2 ? 0 : 8, 7, 8))
+        << i;
+    EXPECT_EQ(pixel(player->read(0), 1), glm::vec4(-3.5F, 1000.25F, 1e30F, -1e-30F)) << i;
+    EXPECT_EQ(pixel(player->read(1), 2), glm::vec4(1)) << "frame 0 is drawn once, frame " << i;
+  }
 }
 
-// Of one channel: held, pressed in this frame, toggled. The picture changes with every frame.
-TEST_P(SiteRules, KeyboardChannelHasOneColourAndShowsAPressForOneFrame) {
-  const Project project = load_project(
-      json("keys.json",
-           pass("image", 37, input(33, "keyboard", 3, "/presets/tex00.jpg"),
-                "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel3, ivec2(65, p.y), 0); "
-                "c.rgb *= float(textureSize(iChannel3, 0).y - 2); }")));
+// The picture's alpha is 1, a buffer's its own; what nothing writes is 0, and an index stays in its array.
+TEST_P(SiteRules, AlphaAndWhatNothingWrites) {
+  const std::string buffer = pass("buffer", 257, "",
+                                  "float none(float x) { if (x > 1e9) return 1.; } void half_of(out vec4 v) "
+                                  "{ v.x = .5; } void mainImage(out vec4 "
+                                  "c, in vec2 p) { float a[3] = float[3](1., 2., 3.); int n = int(p.x); vec4 "
+                                  "local; half_of(c); if (n > 0) c = "
+                                  "vec4(a[100 + n], none(p.x), local.y, .25); }");
+  const Project project =
+      load_project(json("alpha.json", buffer + "," +
+                                          pass("image", 37, input(257, "buffer", 0),
+                                               "void mainImage(out vec4 c, in vec2 p) { c = vec4(.5, .5, "
+                                               "texelFetch(iChannel0, ivec2(p), 0).a, .25); }")));
   const auto player = play(project);
-  Schedule schedule;
-  schedule.width = 2;
-  schedule.height = 3;
-  schedule.keys = {{1, 65}};
-  FixedClock clock(schedule, project.dialect);
-  for (int i = 0; i < 3; ++i) {
-    player->render(clock.next());
-    const Image image = player->read(0);
-    const float rows[3][3] = {{0, 0, 0}, {1, 1, 1}, {1, 0, 1}};
-    for (int y = 0; y < 3; ++y)
-      EXPECT_EQ(pixel(image, 0, y), glm::vec4(rows[i][y], 0, 0, 1)) << "frame " << i << ", row " << y;
-  }
+  player->render(frame(0));
+  EXPECT_EQ(pixel(player->read(0), 0), glm::vec4(.5F, 0, 0, 0));
+  EXPECT_EQ(pixel(player->read(0), 1), glm::vec4(3, 0, 0, .25F));
+  EXPECT_EQ(pixel(player->read(1), 1), glm::vec4(.5F, .5F, .25F, 1));
 }
 
 // shadertoy.com plays nothing as long as a pass has an error, and says where.
@@ -279,16 +172,7 @@ TEST_P(SiteRules, MacrosMayNameTheEntryPoints) {
   EXPECT_EQ(pixel(player->sound_block(0, glm::vec4(0)), 441), glm::vec4(.01F, .5F, 0, 1));
 }
 
-std::string player_name(const testing::TestParamInfo<std::string>& player) {
-  std::string name = player.param;
-  std::replace(name.begin(), name.end(), '/', '_');
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(, SiteRules,
-                         testing::Values("egl/fragment", "egl/compute", "osmesa/fragment", "cpu",
-                                         "cpu/double"),
-                         player_name);
+SHADERTWIN_ON_EVERY_PLAYER(SiteRules);
 
 }  // namespace
 }  // namespace shadertwin
