@@ -161,6 +161,18 @@ class Swizzle {
   SHADERTWIN_INLINE Value operator/=(const T& right) {
     return *this = Value(*this) / right;
   }
+  template <class T>
+  SHADERTWIN_INLINE Value operator&=(const T& right) {
+    return *this = Value(*this) & right;
+  }
+  template <class T>
+  SHADERTWIN_INLINE Value operator|=(const T& right) {
+    return *this = Value(*this) | right;
+  }
+  template <class T>
+  SHADERTWIN_INLINE Value operator^=(const T& right) {
+    return *this = Value(*this) ^ right;
+  }
 
  private:
   Vector& vector_;

@@ -6,11 +6,13 @@ void mainImage(out vec4 color, in vec2 p) {
   int wrapped = 2147483647 + x + 8;
   int product = 65537 * (y + 65536);
   ivec3 v = ivec3(x, y, 7) * 3 - ivec3(1);
+  v.zx = abs(v.zx);
   v ^= ivec3(5); v |= 8; v &= ~2;
   ivec2 d = ivec2(17, -17) / ivec2(y + 1, 3);
   int m = (y + 20) % 7;
   uvec2 q = uvec2(u) >> uvec2(3u, 5u);
   q <<= 2u;
+  q.yx ^= q; q.yx |= 1u; q.yx &= q * 3u; q.yx <<= 1u; q.yx >>= uvec2(1u, 2u); v.zx %= 11; v.xz /= 2;
   x <<= 1; x >>= 2; x++; --x;
   bool odd = (y & 1) == 1 ^^ x > 0;
   ivec2 rounded = ivec2(vec2(p.x - 8.0, p.y) * 1.75);
