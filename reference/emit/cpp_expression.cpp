@@ -117,7 +117,11 @@ std::string CppExpressions::statement(const TIntermTyped& node) {
   if (const TIntermUnary* unary = node.getAsUnaryNode()) {
     if (is_increment(unary->getOp())) return increment(*unary, false).text;
   }
-  if (const TIntermAggregate* call = node.getAsAggregate()) return aggregate(*call, false).text;
+  if (const TIntermAggregate* call = node.getAsAggregate()) {
+    // vec2(a); would declare a in C++.
+    const char* cast = is_constructor(call->getOp()) ? "(void)" : "";
+    return cast + aggregate(*call, false).text;
+  }
   return expression(node).text;
 }
 

@@ -37,6 +37,13 @@ TEST(EmitCpp, EveryStatementNamesTheUsersLine) {
   EXPECT_EQ(shown.rfind("  Float f(Float x) {\n    Float y = x;\n#line 5 ", 0), 0U) << text;
 }
 
+TEST(EmitCpp, ConstructorAsAStatementDeclaresNothing) {
+  const std::string text =
+      emitted("float f(float a) { vec2(a); for (; a < 2.0; vec3(a), a++) {} return a; }");
+  EXPECT_TRUE(contains(text, "(void)vec2(a);\n")) << text;
+  EXPECT_TRUE(contains(text, "(void)vec3(a), ")) << text;
+}
+
 TEST(EmitCpp, VariableThatOutlivesARoundIsDeclaredBeforeTheLoop) {
   EXPECT_TRUE(
       contains(emitted("float f() { float s = 0.0, last; for (int i = 0; i < 3; i++) { if (i > 0) s += last; "

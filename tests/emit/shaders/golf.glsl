@@ -44,6 +44,8 @@ vec4 constructors(vec2 u) {
   }
   vec4 O = vec4(u, c);
   O.xy += vec2(u.y, O).yx * float(B(int(u.x), 1));
+  vec2(d);
+  for (float a = 0.; vec2(a), a < 2.; vec2(i), a++) O.x += float((vec3(a), int(a)));
   return O.w > .5 ? O * next() : O / next();
 }
 
