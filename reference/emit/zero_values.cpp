@@ -237,7 +237,8 @@ ZeroValues::Text ZeroValues::sized(int type, int first, int end) const {
   const auto size = constant(first, end);
   const Text element = plain(type);
   if (!size || *size < 1 || element.text.empty() || *size > most_values / element.values) return {};
-  std::string result = text(type) + "[" + std::to_string(*size) + "](" + element.text;
+  const std::string& name = text(text(type) == "struct" ? type + 1 : type);
+  std::string result = name + "[" + std::to_string(*size) + "](" + element.text;
   for (int i = 1; i < *size; ++i) result += ", " + element.text;
   return {result + ")", *size * element.values};
 }

@@ -41,6 +41,11 @@ TEST(EmitDefined, StartsArraysAndStructuresAtZero) {
       "int [ N ] i = int[3](0, 0, 0) ;\n");
 }
 
+TEST(EmitDefined, StartsArraysThatFollowTheirStructureAtZero) {
+  EXPECT_EQ(defined("struct S { int i; } s, t[2];\n"),
+            "struct S { int i ; } s = S(0) , t [ 2 ] = S[2](S(0), S(0)) ;\n");
+}
+
 TEST(EmitDefined, StartsAStructureWhoseNameBeginsAsABuiltInTypes) {
   EXPECT_EQ(defined("struct material { float a; };\nmaterial m;\n"),
             "struct material { float a ; } ;\nmaterial m = material(0.0) ;\n");
