@@ -145,7 +145,7 @@ bool mentions(const std::vector<Token>& tokens, std::string_view name) {
   });
 }
 
-bool declares(const std::vector<Token>& tokens, std::string_view name) {
+bool declares(const std::vector<Token>& tokens, std::string_view name, bool macros) {
   int depth = 0;  // of braces and parentheses
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     const Token& token = tokens[i];
@@ -156,7 +156,7 @@ bool declares(const std::vector<Token>& tokens, std::string_view name) {
     if (token.kind != Token::Kind::identifier || token.text != name || i == 0) continue;
     const Token& before = tokens[i - 1];
     if (token.preprocessor) {
-      if (before.is("define") && i >= 2 && tokens[i - 2].is("#")) return true;
+      if (macros && before.is("define") && i >= 2 && tokens[i - 2].is("#")) return true;
       continue;
     }
     if (before.preprocessor || before.is("return") || before.is("else")) continue;

@@ -29,8 +29,9 @@ std::vector<Token> tokenize(std::string_view text);
 // Whether some identifier is `name`.
 bool mentions(const std::vector<Token>& tokens, std::string_view name);
 
-// Whether the text gives `name` a meaning outside of functions: #define, a variable, or a function.
-bool declares(const std::vector<Token>& tokens, std::string_view name);
+// Whether the text gives `name` a meaning outside of functions: a variable, a function or, if `macros`,
+// #define.
+bool declares(const std::vector<Token>& tokens, std::string_view name, bool macros = true);
 
 // `text` with every identifier that `rename` gives another name; comments and lines stay as they are.
 // rename: std::string_view -> std::string_view, the same for "leave it".

@@ -52,9 +52,9 @@ class Head {
 
   void line(std::string_view line) { text_.append(line) += '\n'; }
   void text(std::string_view lines) { text_ += lines; }
-  // A uniform, unless the user's text declares it as well.
+  // A uniform, unless the user's text declares it as well. A macro of its name may use it.
   void uniform(const std::string_view type, const std::string& name, int count = 1) {
-    if (declares(tokens_, name)) return;
+    if (declares(tokens_, name, false)) return;
     const std::string size = count > 1 ? "[" + std::to_string(count) + "]" : "";
     line("uniform " + std::string(type) + " " + name + size + ";");
   }

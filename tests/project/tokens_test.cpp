@@ -44,6 +44,7 @@ TEST(Declares, SeesMacrosVariablesAndFunctionsButNoUses) {
   EXPECT_FALSE(found("float f(float x) { return saturate(x); }"));
   EXPECT_FALSE(found("#define twice(x) saturate(x)"));
   EXPECT_FALSE(found("// float saturate(float x) {}"));
+  EXPECT_FALSE(declares(tokenize("#define saturate 1"), "saturate", false));
 }
 
 TEST(RenameIdentifiers, LeavesCommentsAndPartsOfWordsAlone) {

@@ -20,6 +20,7 @@
 #define BASE 0.5
 #endif
 const float TAU = 2.0 * PI, THIRD = TAU / 3.0;
+#define iTime (iTime + 0.25)
 #define T iTime
 float time_scale = 2.0; // not const
 void mainImage( out vec4 O, vec2 U ) {
