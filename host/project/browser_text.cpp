@@ -48,9 +48,7 @@ class Rewriter {
       if (is_precision(token) && !token.preprocessor) drop(i);
       if (token.kind == Token::Kind::string || token.kind == Token::Kind::open_string) drop_quotes(token);
       // The last label of a switch needs a statement that does something.
-      if (token.is(";") && i > 0 && i + 1 < tokens_.size() && tokens_[i - 1].is(":") &&
-          tokens_[i + 1].is("}"))
-        edits_.push_back({token.begin, 0, "break"});
+      if (token.is(":") && only_empty_follows(i)) edits_.push_back({token.end(), 0, " break;"});
       if (one_parameter_.contains(token.text) && i + 2 < tokens_.size() && tokens_[i + 1].is("(") &&
           tokens_[i + 2].is(")"))
         edits_.push_back({tokens_[i + 2].begin, 0, "shadertwin_nothing"});
@@ -60,6 +58,19 @@ class Rewriter {
 
  private:
   bool is_word(std::size_t i) const { return tokens_[i].kind == Token::Kind::identifier; }
+
+  // Whether a switch ends after the label, with no more than empty statements and blocks before.
+  bool only_empty_follows(std::size_t label) const {
+    int depth = 0;
+    for (std::size_t i = label + 1; i < tokens_.size() && !tokens_[i].preprocessor; ++i) {
+      if (tokens_[i].is("}") && depth-- == 0) return i > label + 1;
+      if (tokens_[i].is("{"))
+        ++depth;
+      else if (!tokens_[i].is(";") && !tokens_[i].is("}"))
+        return false;
+    }
+    return false;
+  }
 
   // `mainImage(out`
   bool opens_image(std::size_t i) const {
@@ -124,7 +135,8 @@ class Rewriter {
       const Token& next = tokens_[i + 1];
       if (token.is("{") || token.is("(")) depth += token.preprocessor ? 0 : 1;
       if (token.is("}") || token.is(")")) depth -= token.preprocessor ? 0 : 1;
-      if (!is_word(i) || !builtins().contains(token.text)) continue;
+      const bool is_builtin = builtins().contains(token.text) || other_builtins().contains(token.text);
+      if (!is_word(i) || !is_builtin) continue;
       const Token& before = tokens_[i - 1];
       const bool declared = depth == 0 && !token.preprocessor && !before.preprocessor &&
                             (is_word(i - 1) || before.is("]") || before.is(",")) &&

@@ -91,7 +91,9 @@ TEST(BrowserText, RenamesOverloadsOfOpenBuiltinsAndForwardsTheOthers) {
 
 TEST(BrowserText, GivesTheLastLabelAStatement) {
   EXPECT_EQ(as_in_a_browser("switch (k) { case 1: ; case 2: ; }", true),
-            "switch (k) { case 1: ; case 2: break; }");
+            "switch (k) { case 1: ; case 2: break; ; }");
+  EXPECT_EQ(as_in_a_browser("switch (k) { case 1: {} default: { {;} } }", true),
+            "switch (k) { case 1: {} default: break; { {;} } }");
 }
 
 TEST(BrowserText, RenamesMembersCalledLength) {
