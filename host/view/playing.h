@@ -28,6 +28,7 @@ class Playing {
   const Project& project() const { return project_; }
   Stage& stage() { return *stage_; }
   LiveUniforms& uniforms() { return uniforms_; }
+  const LiveUniforms& uniforms() const { return uniforms_; }
 
   int pass() const { return pass_; }
   const Pass& shown() const { return project_.passes[static_cast<std::size_t>(pass_)]; }

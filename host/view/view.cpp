@@ -9,9 +9,8 @@
 #include "host/base/error.h"
 #include "host/image/image.h"
 #include "host/view/capture.h"
+#include "host/view/dashboard.h"
 #include "host/view/keys.h"
-#include "host/view/overlay.h"
-#include "host/view/panels.h"
 #include "host/view/playing.h"
 #include "host/view/presenter.h"
 #include "host/view/reloader.h"
@@ -28,7 +27,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int settling_frames = 3;  // Dear ImGui needs so many to take in what happened
-constexpr double notice_seconds = 4.0;
 
 struct Scale {
   int times;
@@ -50,7 +48,7 @@ class View {
   explicit View(const ViewOptions& options)
       : options_(options),
         window_(stem_of(options.shader) + " - loading", options.size),
-        overlay_(window_),
+        dashboard_(window_, options.quiet),
         presenter_(window_.context()),
         read_(FileWatch::now()),
         playing_(options.shader, load(options.shader)),
@@ -74,13 +72,10 @@ class View {
       for (const Event& event : window_.take_events()) handle(event);
       if (auto result = reloader_.take()) take(std::move(*result));
       if (const auto problem = sound_.take_problem()) {
-        lay_over(*problem);
+        dashboard_.lay_over(*problem);
         settling_ = settling_frames;
       }
-      if (!notice_.empty() && Clock::now() >= notice_until_) {
-        notice_.clear();
-        settling_ = 1;
-      }
+      if (dashboard_.expire()) settling_ = 1;
       const glm::ivec2 pixels = window_.pixels();
       if (pixels.x <= 0 || pixels.y <= 0 || Clock::now() < next_) continue;
       const bool drew = draw();
@@ -108,15 +103,10 @@ class View {
     sound_.play(playing_.project(), shader_date(options_.clock.date.value_or(Moment::now().date), 0.0));
   }
 
-  void lay_over(const std::string& problem) {
-    problem_ = problem;
-    std::fprintf(stderr, "%s\n", problem_.c_str());
-  }
-
   void take(Reloader::Result result) {
     settling_ = settling_frames;
-    if (!result.loaded.has_value()) return lay_over(result.problem);
-    problem_.clear();
+    if (!result.loaded.has_value()) return dashboard_.lay_over(result.problem);
+    dashboard_.clear_problem();
     reloading_since_ = result.since;
     halted_at_.reset();
     samples_start_.reset();
@@ -127,7 +117,7 @@ class View {
     try {
       playing_.replace(result.shader, std::move(*result.loaded));
     } catch (const Error& e) {
-      problem_ = e.what();
+      dashboard_.lay_over(e.what());
     }
     if (same)
       clock_.restart_frames();
@@ -148,7 +138,7 @@ class View {
         if (const auto action = action_for(event.code, event.modifiers))
           perform(*action);
         else if (const auto code = browser_code(event.code);
-                 code.has_value() && !(shows_panels() && overlay_.wants_keys()))
+                 code.has_value() && !dashboard_.wants_keys(playing_))
           input(playing_.hears_keyboard(), [&] { clock_.keyboard().press(*code); });
         break;
       case Event::Kind::key_up:
@@ -156,8 +146,8 @@ class View {
           input(playing_.hears_keyboard(), [&] { clock_.keyboard().release(*code); });
         break;
       case Event::Kind::button_down:
-        if (shows_panels() && overlay_.wants_mouse(event.position)) break;
-        if (inspector_) {
+        if (dashboard_.wants_mouse(playing_, event.position)) break;
+        if (dashboard_.inspects()) {
           print_commands(event.position);
           break;
         }
@@ -211,22 +201,8 @@ class View {
   }
 
   void perform(Action action) {
+    if (dashboard_.toggle(action)) return;
     switch (action) {
-      case Action::help:
-        help_ = !help_;
-        break;
-      case Action::hud:
-        hud_ = !hud_;
-        break;
-      case Action::inspector:
-        inspector_ = !inspector_;
-        break;
-      case Action::paint:
-        paint_ = !paint_;
-        break;
-      case Action::uniforms:
-        sliders_ = !sliders_;
-        break;
       case Action::reset:
         clock_.reset();
         samples_start_.reset();
@@ -237,7 +213,7 @@ class View {
         break;
       case Action::mute:
         sound_.mute(!sound_.muted());
-        notice(sound_.muted() ? "sound off" : "sound on");
+        dashboard_.notice(sound_.muted() ? "sound off" : "sound on");
         break;
       case Action::step:
         clock_.step();
@@ -262,6 +238,8 @@ class View {
       case Action::quit:
         window_.close();
         break;
+      default:
+        break;
     }
   }
 
@@ -270,22 +248,15 @@ class View {
     try {
       deed();
     } catch (const Error& e) {
-      notice(e.what());
+      dashboard_.notice(e.what());
     }
-  }
-
-  void notice(const std::string& text) {
-    if (!options_.quiet) std::fprintf(stderr, "%s\n", text.c_str());
-    notice_ = text;
-    notice_until_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                       std::chrono::duration<double>(notice_seconds));
   }
 
   void screenshot() {
     screenshot_due_ = !frame_.has_value();
     if (screenshot_due_) return;
     const std::string name = capture_.screenshot(playing_.stage().read(playing_.pass()));
-    notice(name + ".png and .exr: frame " + std::to_string(frame_->index));
+    dashboard_.notice(name + ".png and .exr: frame " + std::to_string(frame_->index));
   }
 
   void toggle_recording() {
@@ -294,7 +265,7 @@ class View {
       clock_.set_recording(options_.recording_rate);
     } else {
       clock_.set_recording(std::nullopt);
-      notice(capture_.stop());
+      dashboard_.notice(capture_.stop());
     }
   }
 
@@ -331,7 +302,8 @@ class View {
       return std::max(0.0, std::chrono::duration<double>(time - Clock::now()).count());
     };
     const bool due = settling_ > 0 || (clock_.due() && !halted_at_.has_value());
-    if (!due) return notice_.empty() ? -1.0 : until(notice_until_);
+    const auto notice_until = dashboard_.notice_until();
+    if (!due) return notice_until.has_value() ? until(*notice_until) : -1.0;
     // A player in a thread of its own ends the wait when it is done.
     if (settling_ == 0 && waiting_) return 0.1;
     return until(next_);
@@ -348,7 +320,7 @@ class View {
       if (pixels_.x != 0 && size != pixels_) clock_.restart_frames();
       if (halted_at_.has_value() && *halted_at_ == size) return was_waiting;
       if (!clock_.due()) return was_waiting;
-      if (halted_at_.has_value()) problem_.clear();
+      if (halted_at_.has_value()) dashboard_.clear_problem();
       halted_at_.reset();
       pixels_ = size;
       const Moment now = Moment::now();
@@ -370,7 +342,7 @@ class View {
       if (!waiting_) record();
       return !waiting_ || was_waiting;
     } catch (const Error& e) {
-      lay_over(e.what());
+      dashboard_.lay_over(e.what());
       sound_.rest();
       halted_at_ = drawn_size();
       settling_ = settling_frames;
@@ -387,20 +359,17 @@ class View {
     window_.context().make_current();
     const Picture picture = playing_.stage().picture(playing_.pass());
     if (picture.texture != 0 && !halted_at_.has_value())
-      presenter_.draw(picture, pixels, paint_);
+      presenter_.draw(picture, pixels, dashboard_.paints());
     else
       presenter_.clear(pixels);
-    if (shows_panels()) {
-      overlay_.begin();
-      panels();
-      overlay_.end();
-    }
+    if (dashboard_.draw(scene())) input(true, [] {});
     playing_.stage().shown();
     window_.swap();
     if (reloading_since_.has_value() && !waiting_) {
       const double ms = std::chrono::duration<double, std::milli>(Clock::now() - *reloading_since_).count();
       reloading_since_.reset();
-      notice(stem_of(playing_.shader()) + ": reloaded in " + std::to_string(std::lround(ms)) + " ms");
+      dashboard_.notice(stem_of(playing_.shader()) + ": reloaded in " + std::to_string(std::lround(ms)) +
+                        " ms");
     }
     // Where the display does not hold the swap back (off screen, say), frames must not come faster than it
     // shows them.
@@ -409,76 +378,26 @@ class View {
     next_ = std::max(next_ + interval, start);
   }
 
-  bool shows_panels() {
-    return hud_ || help_ || inspector_ || !notice_.empty() || !problem_.empty() ||
-           (sliders_ && !playing_.uniforms().declared().empty());
-  }
-
-  void panels() {
-    if (hud_) draw_hud(hud_values());
-    if (!notice_.empty()) draw_notice(notice_);
-    if (!problem_.empty()) draw_problem(problem_);
-    if (inspector_) draw_inspector(inspected(), inspector_, paint_);
-    if (sliders_ && !playing_.project().uniforms.empty()) edit_uniforms();
-    if (help_) draw_help(help_);
-  }
-
-  HudValues hud_values() {
-    HudValues v;
-    v.frames_per_second = clock_.frame_rate();
-    const auto times = playing_.stage().milliseconds();
-    if (times.size() == playing_.project().passes.size())
-      for (std::size_t i = 0; i < times.size(); ++i)
-        v.passes.push_back({playing_.project().passes[i].name, times[i]});
-    else if (times.size() == 1)
-      v.passes.push_back({"all passes", times[0]});
-    v.size = pixels_;
-    v.scale = scales[scale_].name;
-    v.shown = playing_.shown().name;
-    v.frame = clock_.index();
-    v.time = clock_.time();
+  Scene scene() {
+    Scene scene{.playing = playing_,
+                .presenter = presenter_,
+                .clock = clock_,
+                .size = pixels_,
+                .scale = scales[scale_].name,
+                .samples = {},
+                .sample_seconds = 0.0,
+                .recorded = capture_.recorded(),
+                .cursor = across(cursor_)};
     if (playing_.accumulates() && samples_start_.has_value()) {
-      v.samples = samples_;
-      v.sample_seconds = std::chrono::duration<double>(Clock::now() - *samples_start_).count();
+      scene.samples = samples_;
+      scene.sample_seconds = std::chrono::duration<double>(Clock::now() - *samples_start_).count();
     }
-    v.device = playing_.stage().description();
-    v.paused = clock_.paused();
-    v.recorded = capture_.recorded();
-    return v;
-  }
-
-  InspectorValues inspected() {
-    InspectorValues v;
-    for (std::size_t i = 0; i < playing_.project().passes.size(); ++i) {
-      const Picture picture = playing_.stage().picture(static_cast<int>(i));
-      if (picture.texture == 0) continue;
-      const PixelPlace place = place_in(picture, across(cursor_));
-      if (static_cast<int>(i) == playing_.pass()) {
-        v.pixel = place.at;
-        v.face = picture.target == GL_TEXTURE_CUBE_MAP ? place.face : -1;
-      }
-      v.passes.push_back({playing_.project().passes[i].name, presenter_.pixel(picture, place)});
-    }
-    return v;
-  }
-
-  void edit_uniforms() {
-    auto values = playing_.uniforms().values();
-    const UniformEdits edits = draw_uniforms(playing_.uniforms().declared(), values, sliders_);
-    if (edits.changed) playing_.uniforms().set(values);
-    if (edits.reset) playing_.uniforms().reset();
-    if (edits.changed || edits.reset) input(true, [] {});
-    if (edits.copy) {
-      const std::string text =
-          uniforms_as_options(playing_.uniforms().declared(), playing_.uniforms().values());
-      window_.set_clipboard(text);
-      notice("copied: " + text);
-    }
+    return scene;
   }
 
   ViewOptions options_;
   Window window_;  // before everything that lives in its contexts
-  Overlay overlay_;
+  Dashboard dashboard_;
   Presenter presenter_;
   FileWatch::Moment read_;  // when reading the first project began
   Playing playing_;
@@ -499,14 +418,6 @@ class View {
   bool left_ = false;
   bool right_ = false;
   glm::dvec2 cursor_{0.0};
-  bool help_ = false;
-  bool hud_ = true;
-  bool inspector_ = false;
-  bool sliders_ = true;
-  bool paint_ = false;
-  std::string problem_;
-  std::string notice_;
-  Clock::time_point notice_until_;
 
   int settling_ = settling_frames;  // frames to show although nothing moves
   Clock::time_point next_;          // when the next may be shown
