@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 using glslang::TIntermAggregate;
@@ -97,6 +98,69 @@ Values fold_vector(TOperator op, const TIntermTyped& operand) {
   return result;
 }
 
+constexpr float half_pi = 1.57079632679489661923F;
+
+float arc_sine(float x, float p0, float p1) {
+  const float m = std::fabs(x);
+  const float p = half_pi + m * ((0.785398163397448309616F - 1.0F) + m * (p0 + m * p1));
+  const float sign = x > 0.0F ? 1.0F : x < 0.0F ? -1.0F : 0.0F;
+  return sign * (half_pi - std::sqrt(1.0F - m) * p);
+}
+
+// As Mesa folds it: the C library's functions of floats, and those that Mesa builds from others.
+std::optional<float> fold_function(TOperator op, float x) {
+  switch (op) {
+    case glslang::EOpSin:
+      return std::sin(x);
+    case glslang::EOpCos:
+      return std::cos(x);
+    case glslang::EOpTan:
+      return std::sin(x) / std::cos(x);
+    case glslang::EOpAsin:
+      return arc_sine(x, 0.086566724F, -0.03102955F);
+    case glslang::EOpAcos:
+      return half_pi - arc_sine(x, 0.08132463F, -0.02363318F);
+    case glslang::EOpSinh:
+      return 0.5F * (std::exp(x) - std::exp(-x));
+    case glslang::EOpCosh:
+      return 0.5F * (std::exp(x) + std::exp(-x));
+    case glslang::EOpTanh: {
+      const float t = std::min(std::max(x, -10.0F), 10.0F);
+      return (std::exp(t) - std::exp(-t)) / (std::exp(t) + std::exp(-t));
+    }
+    case glslang::EOpAsinh: {
+      const float length = std::log(std::fabs(x) + std::sqrt(x * x + 1.0F));
+      return x > 0.0F ? length : x < 0.0F ? -length : 0.0F;
+    }
+    case glslang::EOpAcosh:
+      return std::log(x + std::sqrt(x * x - 1.0F));
+    case glslang::EOpAtanh:
+      return 0.5F * std::log((1.0F + x) / (1.0F - x));
+    case glslang::EOpExp:
+      return std::exp(x);
+    case glslang::EOpLog:
+      return std::log(x);
+    case glslang::EOpExp2:
+      return std::exp2(x);
+    case glslang::EOpLog2:
+      return std::log2(x);
+    case glslang::EOpInverseSqrt:
+      return 1.0F / std::sqrt(x);
+    default:
+      return std::nullopt;
+  }
+}
+
+Values fold_functions(TOperator op, const TIntermTyped& operand) {
+  Values result;
+  for (const float x : values_of(&operand)) {
+    const auto value = fold_function(op, x);
+    if (!value) return {};
+    result.push_back(*value);
+  }
+  return result;
+}
+
 Values fold_call(const TIntermAggregate& call) {
   const glslang::TIntermSequence& arguments = call.getSequence();
   if (arguments.size() < 2) return {};
@@ -112,6 +176,12 @@ Values fold_call(const TIntermAggregate& call) {
       Values difference;
       for (std::size_t i = 0; i < a.size(); ++i) difference.push_back(a[i] - b[i]);
       return {std::sqrt(dot(difference, difference))};
+    }
+    case glslang::EOpReflect: {
+      const float twice = 2.0F * dot(b, a);
+      Values result;
+      for (std::size_t i = 0; i < a.size(); ++i) result.push_back(a[i] - twice * b[i]);
+      return result;
     }
     case glslang::EOpMix: {
       const Values t = values_of(arguments[2]->getAsTyped());
@@ -135,52 +205,64 @@ TIntermTyped* made_constant(const glslang::TConstUnionArray& values, const TInte
   return node;
 }
 
-// Of the matrix with these rows and columns left.
-double determinant(const std::vector<std::vector<double>>& m) {
+template <class T>
+using Columns = std::vector<std::vector<T>>;
+
+// Without that column and row.
+template <class T>
+Columns<T> minor(Columns<T> m, std::size_t column, std::size_t row) {
+  m.erase(m.begin() + static_cast<std::ptrdiff_t>(column));
+  for (auto& rows : m) rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(row));
+  return m;
+}
+
+template <class T>
+T determinant(const Columns<T>& m) {
   if (m.size() == 1) return m[0][0];
-  double sum = 0.0;
-  for (std::size_t column = 0; column < m.size(); ++column) {
-    std::vector<std::vector<double>> minor;
-    for (std::size_t i = 0; i < m.size(); ++i) {
-      if (i == column) continue;
-      minor.emplace_back(m[i].begin() + 1, m[i].end());
-    }
-    sum += (column % 2 == 0 ? 1.0 : -1.0) * m[column][0] * determinant(minor);
-  }
+  T sum = 0;
+  for (std::size_t row = 0; row < m.size(); ++row)
+    sum += (row % 2 == 0 ? m[0][row] : -m[0][row]) * determinant(minor(m, 0, row));
   return sum;
+}
+
+template <class T>
+std::vector<T> matrix_function(TOperator op, const Columns<T>& m) {
+  if (op == glslang::EOpDeterminant) return {determinant(m)};
+  std::vector<T> values;
+  if (op == glslang::EOpTranspose) {
+    for (std::size_t row = 0; row < m[0].size(); ++row)
+      for (const auto& column : m) values.push_back(column[row]);
+    return values;
+  }
+  const T whole = determinant(m);
+  for (std::size_t i = 0; i < m.size(); ++i)
+    for (std::size_t j = 0; j < m.size(); ++j) {
+      const T cofactor = determinant(minor(m, j, i));
+      values.push_back(((i + j) % 2 == 0 ? cofactor : -cofactor) / whole);
+    }
+  return values;
+}
+
+template <class T>
+glslang::TConstUnionArray fold_matrix(TOperator op, const TIntermConstantUnion& operand) {
+  const int rows = operand.getMatrixRows();
+  Columns<T> m(static_cast<std::size_t>(operand.getMatrixCols()));
+  for (int i = 0; i < operand.getMatrixCols() * rows; ++i)
+    m[static_cast<std::size_t>(i / rows)].push_back(static_cast<T>(operand.getConstArray()[i].getDConst()));
+  const std::vector<T> values = matrix_function(op, m);
+  glslang::TConstUnionArray folded(static_cast<int>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    folded[static_cast<int>(i)].setDConst(static_cast<double>(values[i]));
+  return folded;
 }
 
 // The functions of one matrix, which glslang leaves for the running shader; null for other functions.
 TIntermTyped* fold_matrix(TOperator op, const TIntermConstantUnion& operand, const glslang::TType& type) {
   if (op != glslang::EOpTranspose && op != glslang::EOpDeterminant && op != glslang::EOpMatrixInverse)
     return nullptr;
-  const int columns = operand.getMatrixCols();
-  const int rows = operand.getMatrixRows();
-  std::vector<std::vector<double>> m(static_cast<std::size_t>(columns));
-  for (int i = 0; i < columns * rows; ++i)
-    m[static_cast<std::size_t>(i / rows)].push_back(operand.getConstArray()[i].getDConst());
-  std::vector<double> values;
-  if (op == glslang::EOpTranspose) {
-    for (int row = 0; row < rows; ++row)
-      for (const auto& column : m) values.push_back(column[static_cast<std::size_t>(row)]);
-  } else if (op == glslang::EOpDeterminant) {
-    values = {determinant(m)};
-  } else {
-    const double whole = determinant(m);
-    for (std::size_t i = 0; i < m.size(); ++i)
-      for (std::size_t j = 0; j < m.size(); ++j) {
-        std::vector<std::vector<double>> minor;  // without column j and row i
-        for (std::size_t k = 0; k < m.size(); ++k) {
-          if (k == j) continue;
-          minor.push_back(m[k]);
-          minor.back().erase(minor.back().begin() + static_cast<std::ptrdiff_t>(i));
-        }
-        values.push_back(((i + j) % 2 == 0 ? 1.0 : -1.0) * determinant(minor) / whole);
-      }
-  }
-  glslang::TConstUnionArray folded(static_cast<int>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i) folded[static_cast<int>(i)].setDConst(values[i]);
-  return made_constant(folded, operand, type);
+  return made_constant(
+      folding == Folding::float64 ? fold_matrix<double>(op, operand) : fold_matrix<float>(op, operand),
+      operand, type);
 }
 
 // floatBitsToInt() and its kin, for which the same holds.
@@ -198,6 +280,16 @@ TIntermTyped* fold_bits(TOperator op, const TIntermConstantUnion& operand, const
     if (op == glslang::EOpFloatBitsToUint) folded[i].setUConst(bits);
     if (!from_float) folded[i].setDConst(static_cast<double>(std::bit_cast<float>(bits)));
   }
+  return made_constant(folded, operand, type);
+}
+
+// What glslang leaves to the running shader: sinh() and some others. Null for `values` of nothing.
+TIntermTyped* made_from(const Values& values, const TIntermConstantUnion& operand,
+                        const glslang::TType& type) {
+  if (values.empty() || folding == Folding::float64) return nullptr;
+  glslang::TConstUnionArray folded(static_cast<int>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    folded[static_cast<int>(i)].setDConst(static_cast<double>(values[i]));
   return made_constant(folded, operand, type);
 }
 
@@ -239,11 +331,13 @@ TIntermTyped* WRAP(FOLD_BINARY)(const TIntermConstantUnion* left, TOperator op, 
 TIntermTyped* REAL(FOLD_UNARY)(const TIntermConstantUnion* operand, TOperator op, const glslang::TType& type);
 TIntermTyped* WRAP(FOLD_UNARY)(const TIntermConstantUnion* operand, TOperator op,
                                const glslang::TType& type) {
-  if (TIntermTyped* node = shadertwin::emit::fold_matrix(op, *operand, type))
-    return shadertwin::emit::rounded(node);
+  if (TIntermTyped* node = shadertwin::emit::fold_matrix(op, *operand, type)) return node;
   if (TIntermTyped* node = shadertwin::emit::fold_bits(op, *operand, type)) return node;
-  const auto values = shadertwin::emit::fold_vector(op, *operand);
-  return shadertwin::emit::corrected(REAL(FOLD_UNARY)(operand, op, type), values);
+  auto values = shadertwin::emit::fold_vector(op, *operand);
+  if (values.empty()) values = shadertwin::emit::fold_functions(op, *operand);
+  TIntermTyped* node = REAL(FOLD_UNARY)(operand, op, type);
+  if (node == nullptr) return shadertwin::emit::made_from(values, *operand, type);
+  return shadertwin::emit::corrected(node, values);
 }
 
 TIntermTyped* REAL(FOLD_CALL)(glslang::TIntermediate* tree, TIntermAggregate* call);

@@ -8,6 +8,9 @@ const bool flag = n > 4 && a < b;
 const mat3 turned = transpose(mat3(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0)), back = inverse(mat3(2.0, 0.0, 0.0, 1.0, 4.0, 0.0, 0.0, 2.0, 0.5));
 const float size = determinant(turned), infinite = uintBitsToFloat(0x7f800000u);
 const ivec2 bits = floatBitsToInt(vec2(2.0, -1.0));
+const vec4 arcs = vec4(asin(0.3), acos(0.3), atan(0.3), asin(1.0)), waves = vec4(sin(1.3), cos(1.3), tan(0.3), acos(-1.0));
+const vec4 hyperbolic = vec4(sinh(0.3), cosh(0.3), tanh(0.3), asinh(0.3)), powers = vec4(exp(0.3), log(0.3), exp2(0.3), log2(0.3));
+const vec4 others = vec4(acosh(1.3), atanh(0.3), inversesqrt(0.3), pow(0.3, 0.7)), bent = vec4(reflect(vec2(0.3, 0.4), vec2(0.6, 0.8)), inverse(mat2(0.1, 0.2, 0.3, 0.7))[0]);
 void mainImage(out vec4 color, in vec2 p) {
   const float local = c * 0.9 - e, other = mix(0.1, 0.9, 0.35);
   float sizes[n];
@@ -15,5 +18,9 @@ void mainImage(out vec4 color, in vec2 p) {
   color = vec4(c, d, e, sizes[4]);
   if (p.y > 3.0) color = vec4(w, flag ? dot(v, w) : 0.0);
   if (p.y > 6.0) color = vec4((m * v).x, mm[1][2], float(list[int(p.x) % 3]), other);
+  if (p.x > 4.0 && p.x < 11.0) {
+    vec4 list[6] = vec4[6](arcs, waves, hyperbolic, powers, others, bent + determinant(mat2(0.1, 0.2, 0.3, 0.7)));
+    color = list[int(p.x) % 6];
+  }
   if (p.x > 12.0) color = vec4(turned[2].x + back[1].y * p.x, size, p.x < infinite ? bits : -bits);
 }
