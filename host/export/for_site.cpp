@@ -7,6 +7,7 @@
 #include "host/export/export.h"
 #include "host/project/keyboard_text.h"
 #include "host/project/tokens.h"
+#include "host/project/wrapper.h"
 #include "host/project/write_json.h"
 
 namespace shadertwin {
@@ -14,21 +15,9 @@ namespace shadertwin {
 namespace {
 
 // What the extension knows and the site does not. Defined only for shaders that use it.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 14> extension_names = {{
-    {"iGlobalTime", "iTime"},
-    {"iGlobalFrame", "iFrame"},
+constexpr std::array<std::pair<const char*, const char*>, 2> extension_uniforms = {{
     {"iMouseButton", "vec4(float(iMouse.z > 0.0), 0.0, 0.0, 0.0)"},
     {"iViewMatrix", "mat4(1.0)"},
-    {"texture2D", "texture"},
-    {"textureCube", "texture"},
-    {"texture2DProj", "textureProj"},
-    {"texture2DLodEXT", "textureLod"},
-    {"texture2DProjLodEXT", "textureProjLod"},
-    {"textureCubeLodEXT", "textureLod"},
-    {"texture2DGradEXT", "textureGrad"},
-    {"texture2DProjGradEXT", "textureProjGrad"},
-    {"textureCubeGradEXT", "textureGrad"},
-    {"saturate", "clamp(a, 0.0, 1.0)"},
 }};
 
 constexpr std::array<std::pair<std::string_view, const char*>, 4> key_functions = {
@@ -61,10 +50,13 @@ bool uses(const Project& project, std::string_view name) {
 
 std::string names(const Project& project) {
   std::string text = "#define SHADER_TOY\n";
-  for (const auto& [name, meaning] : extension_names) {
-    if (!uses(project, name)) continue;
-    text.append("#define ").append(name).append(name == "saturate" ? "(a) " : " ").append(meaning) += '\n';
-  }
+  const auto define = [&](const std::string& name, const std::string& parameters,
+                          const std::string& meaning) {
+    if (uses(project, name)) text += "#define " + name + parameters + ' ' + meaning + '\n';
+  };
+  for (const auto& [name, meaning] : legacy_names) define(name, "", meaning);
+  for (const auto& [name, meaning] : extension_uniforms) define(name, "", meaning);
+  define("saturate", "(a)", "clamp(a, 0.0, 1.0)");
   return text;
 }
 

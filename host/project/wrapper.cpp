@@ -106,23 +106,6 @@ void add_vertex_names(Head& head) {
   head.macro("varying", "out");
 }
 
-void add_legacy_names(Head& head) {
-  static constexpr std::pair<const char*, const char*> names[] = {
-      {"texture2D", "texture"},
-      {"textureCube", "texture"},
-      {"texture2DProj", "textureProj"},
-      {"texture2DLodEXT", "textureLod"},
-      {"texture2DProjLodEXT", "textureProjLod"},
-      {"textureCubeLodEXT", "textureLod"},
-      {"texture2DGradEXT", "textureGrad"},
-      {"texture2DProjGradEXT", "textureProjGrad"},
-      {"textureCubeGradEXT", "textureGrad"},
-      {"iGlobalTime", "iTime"},
-      {"iGlobalFrame", "iFrame"},
-  };
-  for (const auto& [name, meaning] : names) head.macro(name, meaning);
-}
-
 void add_vscode(Head& head, const Project& project, const Pass& pass, const WrapOptions& options) {
   add_common_uniforms(head);
   head.uniform("vec4", "iMouseButton");
@@ -133,7 +116,7 @@ void add_vscode(Head& head, const Project& project, const Pass& pass, const Wrap
   if (head.wanted("iChannelTime")) head.uniform("float", "iChannelTime", 4);
   if (head.wanted("HW_PERFORMANCE")) head.line("#define HW_PERFORMANCE 1");
   if (head.wanted("saturate")) head.line("#define saturate(a) clamp(a, 0.0, 1.0)");
-  add_legacy_names(head);
+  for (const auto& [name, meaning] : legacy_names) head.macro(name, meaning);
   for (const CustomUniform& uniform : project.uniforms) head.uniform(glsl_name(uniform.type), uniform.name);
   if (options.keyboard) head.text(keyboard_text());
 }
