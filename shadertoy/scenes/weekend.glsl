@@ -206,11 +206,17 @@ int nearestSmallSphere(Ray r, float tmin, float tmax)
         }
         float at0 = o.y + t0 * e.y;
         float at1 = o.y + t1 * e.y;
-        float row = ceil(min(at0, at1) - CELL_HIGH);
+        float first = max(ceil(min(at0, at1) - CELL_HIGH), -5.0);
+        float last = min(max(at0, at1) - CELL_LOW, 4.0);
+        // A sphere whose highest centre isn't above this is passed over; an empty cell's is 0.
+        float lowest = max(min(r.o.y + t0 * r.d.y, r.o.y + t1 * r.d.y) - SMALL_RADIUS, 0.0);
         for (int j = 0; j < 3; j++) {
-            float z = clamp(row + float(j), -5.0, 4.0);
-            int cell = int(alongX ? 10.0 * column + z : 10.0 * z + column) + 55;
-            if (SMALL_SPHERE[cell].z > 0.0) {
+            float row = first + float(j);
+            if (!(row <= last)) {
+                break;
+            }
+            int cell = int(alongX ? 10.0 * column + row : 10.0 * row + column) + 55;
+            if (SMALL_SPHERE[cell].z > lowest) {
                 MovingSphere s = smallSphere(cell);
                 float t = sphereRoot(r.o - center(s, r.time), r.d, s.radius, tmin, tHit);
                 if (t < tHit) {
