@@ -134,16 +134,27 @@ std::vector<std::string> Compiler::arguments(const CompileOptions& options) cons
                                    "-w",
                                    "-I" + include_root_.string()};
   const bool pattern = options.uninitialised == Uninitialised::pattern;
-  list.push_back(pattern ? "-ftrivial-auto-var-init=pattern" : "-ftrivial-auto-var-init=zero");
-  if (pattern) list.emplace_back("-DSHADERTWIN_PATTERN");
+  if (pattern) list.insert(list.end(), {"-ftrivial-auto-var-init=pattern", "-DSHADERTWIN_PATTERN"});
+  // Packets leave it to the emitter, which starts every variable of the shader's: 3 % of the path tracer's
+  // time.
+  if (!pattern && !options.packets) {
+    list.emplace_back("-ftrivial-auto-var-init=zero");
+    // clang has zero initialisation behind a flag up to version 15.
+    if (is_clang())
+      list.emplace_back("-enable-trivial-auto-var-init-zero-knowing-it-will-be-removed-from-clang");
+  }
   if (options.double_precision) list.emplace_back("-DSHADERTWIN_DOUBLE");
-  // clang has zero initialisation behind a flag up to version 15.
-  if (is_clang())
-    list.emplace_back("-enable-trivial-auto-var-init-zero-knowing-it-will-be-removed-from-clang");
   if (options.debug)
     list.insert(list.end(), {"-O0", "-g"});
   else  // packets gain from more inlining; one pixel at a time is slower with it
     list.emplace_back(options.packets ? "-O3" : "-O2");
+  // Records that a function fills in under a mask are kept in registers, or not made at all, only where its
+  // body is at hand. GCC's limits are for scalar code; the last one bounds the time that compiling takes.
+  if (options.packets && !options.debug && !is_clang()) {
+    for (const char* limit : {"max-inline-insns-single=2000", "large-function-insns=100000",
+                              "large-stack-frame-growth=5000", "inline-unit-growth=500"})
+      list.insert(list.end(), {"--param", limit});
+  }
   list.insert(list.end(), options.extra_arguments.begin(), options.extra_arguments.end());
   return list;
 }
