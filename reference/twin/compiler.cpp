@@ -84,6 +84,10 @@ fs::path user_cache() {
   return {};
 }
 
+const char* header_of(const CompileOptions& options) {
+  return options.packets ? packet_header : single_header;
+}
+
 std::string first_error(const std::string& output) {
   std::istringstream in(output);
   for (std::string line; std::getline(in, line);) {
@@ -165,26 +169,27 @@ fs::path Compiler::object_path(const std::string& text, const CompileOptions& op
   return cache_ / (hash_name(key) + ".so");
 }
 
-fs::path Compiler::precompiled_header(const std::string& header,
-                                      const std::vector<std::string>& arguments) const {
-  if (is_clang()) return {};
+fs::path Compiler::precompiled_header(const CompileOptions& options) const {
+  std::string key = identity_ + header_of(options);
+  for (const std::string& argument : arguments(options)) key += '\n' + argument;
+  return cache_ / ("headers-" + hash_name(key)) / "twin.h";
+}
+
+void Compiler::prepare(const CompileOptions& options) const {
+  if (is_clang()) return;
   const std::lock_guard lock(header_mutex_);
-  std::string key = identity_ + header;
-  for (const std::string& argument : arguments) key += '\n' + argument;
-  const fs::path folder = cache_ / ("headers-" + hash_name(key));
-  const fs::path stub = folder / "twin.h";
-  const fs::path result = folder / "twin.h.gch";
+  const fs::path stub = precompiled_header(options);
+  const fs::path result = stub.string() + ".gch";
   std::error_code failed;
-  if (fs::exists(result, failed)) return stub;
-  fs::create_directories(folder, failed);
-  std::ofstream(stub) << "#include \"" << header << "\"\n";
-  const fs::path own = folder / ("twin-" + std::to_string(getpid()) + ".tmp");
+  if (fs::exists(result, failed)) return;
+  fs::create_directories(stub.parent_path(), failed);
+  std::ofstream(stub) << "#include \"" << header_of(options) << "\"\n";
+  const fs::path own = stub.parent_path() / ("twin-" + std::to_string(getpid()) + ".tmp");
   const Unfinished unfinished(own);
-  std::vector<std::string> list = arguments;
+  std::vector<std::string> list = arguments(options);
   std::erase(list, "-shared");
   list.insert(list.end(), {"-x", "c++-header", "-o", own.string(), stub.string()});
   if (run_process(program_, list).status == 0) fs::rename(own, result, failed);
-  return fs::exists(result, failed) ? stub : fs::path();
 }
 
 void Compiler::compile(const std::string& source, const fs::path& object,
@@ -200,8 +205,8 @@ void Compiler::compile(const std::string& source, const fs::path& object,
     if (!out.flush()) throw Error(ExitStatus::file, text.string() + ": can't be written");
   }
   std::vector<std::string> list = arguments(options);
-  const std::string header = options.packets ? packet_header : single_header;
-  if (const fs::path headers = precompiled_header(header, list); !headers.empty())
+  std::error_code failed;
+  if (const fs::path headers = precompiled_header(options); fs::exists(headers.string() + ".gch", failed))
     list.insert(list.end(), {"-include", headers.string()});
   list.insert(list.end(), {"-o", result.string(), text.string()});
   ProcessResult run = run_process(program_, list);
@@ -210,7 +215,6 @@ void Compiler::compile(const std::string& source, const fs::path& object,
     list.emplace_back("-fno-tree-slp-vectorize");
     run = run_process(program_, list);
   }
-  std::error_code failed;
   if (run.status == -1) {
     fs::remove(text, failed);
     throw Error(ExitStatus::device, program_.string() + ": the C++ compiler can't be run");

@@ -3,11 +3,10 @@
 #include <oneapi/tbb/blocked_range2d.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_for_each.h>
+#include <oneapi/tbb/parallel_pipeline.h>
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 
 #include "host/base/error.h"
 #include "host/player/inputs.h"
@@ -167,23 +166,45 @@ class TwinPlayerImpl final : public TwinPlayer {
     return compiler_.object_path(key, compile);
   }
 
-  // Compiles the passes that the cache does not hold side by side.
+  // Compiles the passes that the cache does not hold side by side, the longest first. In front of them comes
+  // what later passes and later shaders gain from: a cold cache would otherwise wait for it.
   void compile_missing() {
     struct Job {
+      std::filesystem::path object;  // empty: no twin, but what all twins include
       std::string source;
       CompileOptions options;
     };
-    std::map<std::filesystem::path, Job> jobs;  // passes of the same text need one twin
+    std::vector<Job> jobs;
     for (const Pass& pass : project_.passes) {
       const std::filesystem::path object = object_path(pass);
-      if (std::filesystem::exists(object)) continue;
+      // Passes of the same text need one twin.
+      const auto is_same = [&](const Job& job) { return job.object == object; };
+      if (std::filesystem::exists(object) || std::any_of(jobs.begin(), jobs.end(), is_same)) continue;
       std::string text = emit_cpp(project_, pass, emit_options());
       // An error in a sound keeps shadertoy.com from playing the pictures; it is compiled when it is to be
       // heard.
-      if (pass.kind != PassKind::sound) jobs[object] = {std::move(text), compile_options(pass)};
+      if (pass.kind != PassKind::sound) jobs.push_back({object, std::move(text), compile_options(pass)});
     }
-    oneapi::tbb::parallel_for_each(
-        jobs, [&](const auto& job) { compiler_.compile(job.second.source, job.first, job.second.options); });
+    if (jobs.empty()) return;
+    std::sort(jobs.begin(), jobs.end(),
+              [](const Job& a, const Job& b) { return a.source.size() > b.source.size(); });
+    jobs.insert(jobs.begin(), Job{{}, {}, jobs.front().options});
+    const auto run = [&](std::size_t i) {
+      if (jobs[i].object.empty())
+        compiler_.prepare(jobs[i].options);
+      else
+        compiler_.compile(jobs[i].source, jobs[i].object, jobs[i].options);
+    };
+    // Unlike parallel_for_each a pipeline begins its items in order.
+    std::size_t begun = 0;
+    const auto take = [&](oneapi::tbb::flow_control& control) {
+      if (begun == jobs.size()) control.stop();
+      return begun++;
+    };
+    using oneapi::tbb::filter_mode;
+    oneapi::tbb::parallel_pipeline(
+        jobs.size(), oneapi::tbb::make_filter<void, std::size_t>(filter_mode::serial_in_order, take) &
+                         oneapi::tbb::make_filter<std::size_t, void>(filter_mode::parallel, run));
   }
 
   std::unique_ptr<Module> load(const Pass& pass) const {
