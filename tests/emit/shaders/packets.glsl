@@ -1,5 +1,5 @@
 // What goes wrong first where pixels run side by side: effects on the left of && and in conditions, one element
-// for two arguments, an index with effects, overloads that a constant chooses, loops that only discard ends.
+// for two arguments, an index with effects, overloads that a constant chooses, calls that discard in loops.
 float f(float x) { return x * 0.5; }
 float f(int x) { return float(x) + 10.0; }
 float map(float x) { return 1.0 - 0.05 * x; }
@@ -41,7 +41,6 @@ void mainImage(out vec4 color, in vec2 p) {
   total += grow();
   float sum = 0.0;
   while (sum < 3.0) sum += gone(p.x);
-  if (p.x + p.y > 20.0) { while (sum >= 0.0) { if (p.x > 1.0) discard; } }
   color = vec4(n + float(m) * 16.0 + (b ? 100.0 : 0.0) + f(p.x) + f(0.5) + f(1) * 1000.0,
                e[k].x + 10.0 * e[k].y + a[0].x + a[0].y * 3.0 + a[1].x * 100.0 + float(j) * 1000.0,
                shared_[0].x + shared_[0].y * 2.0 + shared_[1].x * 4.0 + shared_[1].y * 8.0 + float(total) * 100.0,
