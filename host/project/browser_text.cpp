@@ -134,7 +134,7 @@ class Rewriter {
       const Token& token = tokens_[i];
       const Token& next = tokens_[i + 1];
       if (token.is("{") || token.is("(")) depth += token.preprocessor ? 0 : 1;
-      if (token.is("}") || token.is(")")) depth -= token.preprocessor ? 0 : 1;
+      if (token.is("}") || token.is(")")) depth = std::max(depth - (token.preprocessor ? 0 : 1), 0);
       const bool is_builtin = builtins().contains(token.text) || other_builtins().contains(token.text);
       if (!is_word(i) || !is_builtin) continue;
       const Token& before = tokens_[i - 1];

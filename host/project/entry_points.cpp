@@ -29,6 +29,14 @@ bool names_itself(const std::vector<Token>& tokens, std::size_t i) {
   return false;
 }
 
+// Whether token i stands where a statement or a global declaration may begin. Macros may open parentheses and
+// braces that the text closes, so counting them tells nothing.
+bool begins_declaration(const std::vector<Token>& tokens, std::size_t i) {
+  if (i == 0 || tokens[i - 1].preprocessor) return true;
+  const Token& before = tokens[i - 1];
+  return before.is(";") || before.is("}") || before.is(")");
+}
+
 bool is_entry(std::string_view name) {
   return name == "mainImage" || name == "mainSound" || name == "mainCubemap" || name == "mainVR";
 }
@@ -55,14 +63,9 @@ EntryPoints find_entry_points(const std::vector<Token>& written) {
   EntryPoints found;
   bool of_sample = false;
   bool of_time = false;
-  int depth = 0;  // of braces and parentheses
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     const Token& token = tokens[i];
-    if (!token.preprocessor) {
-      if (token.is("{") || token.is("(")) ++depth;
-      if (token.is("}") || token.is(")")) --depth;
-      if (token.is("out") && depth == 0) found.output = true;
-    }
+    if (token.is("out") && !token.preprocessor && begins_declaration(tokens, i)) found.output = true;
     if (token.kind != Token::Kind::identifier) continue;
     if (token.is("main") && defines_main(tokens, i)) found.main = true;
     if (token.is("mainImage")) {

@@ -151,7 +151,8 @@ bool declares(const std::vector<Token>& tokens, std::string_view name, bool macr
     const Token& token = tokens[i];
     if (token.kind == Token::Kind::punctuation && !token.preprocessor) {
       if (token.is("{") || token.is("(")) ++depth;
-      if (token.is("}") || token.is(")")) --depth;
+      // A macro may have opened it.
+      if (token.is("}") || token.is(")")) depth = std::max(depth - 1, 0);
     }
     if (token.kind != Token::Kind::identifier || token.text != name || i == 0) continue;
     const Token& before = tokens[i - 1];

@@ -172,6 +172,18 @@ TEST_P(SiteRules, MacrosMayNameTheEntryPoints) {
   EXPECT_EQ(pixel(player->sound_block(0, glm::vec4(0)), 441), glm::vec4(.01F, .5F, 0, 1));
 }
 
+// Braces and parentheses that a macro opens or closes hide neither what is global nor what is not.
+TEST_P(SiteRules, MacrosMayOpenWhatTheTextCloses) {
+  folder.write("tabs/buffer_a.glsl",
+               "#define RISE smoothstep(0., 4.,\n#define LOOP for (int i = 0; i < 3; ++i) {\n"
+               "float f(float x) { float sum = 0.; LOOP sum += RISE x); } return sum; }\n"
+               "void mainImage(out vec4 c, in vec2 p) { c = vec4(f(2.), iTime, 0, 1); }\n");
+  folder.write("tabs/image.glsl",
+               "#define END }\nfloat g() { return 2.; END\n#iChannel0 \"buffer_a.glsl\"\n"
+               "void mainImage(out vec4 c, in vec2 p) { c = g() * texelFetch(iChannel0, ivec2(p), 0); }\n");
+  EXPECT_EQ(pixel(pictures(load_project(folder / "tabs"), 1)[0], 1, 1), glm::vec4(3, 0, 0, 1));
+}
+
 SHADERTWIN_ON_EVERY_PLAYER(SiteRules);
 
 }  // namespace
