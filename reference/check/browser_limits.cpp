@@ -2,6 +2,8 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "reference/check/rules.h"
 #include "reference/emit/syntax_tree.h"
@@ -38,6 +40,42 @@ class SymbolCollector : public TIntermTraverser {
   void visitSymbol(TIntermSymbol* symbol) override { symbols.emplace(symbol->getId(), symbol); }
 };
 
+// Operators that ANGLE does not take although the language leaves them open.
+class OperatorFinder : public TIntermTraverser {
+ public:
+  std::vector<std::pair<const TIntermNode*, std::string>> found;
+
+  bool visitSelection(TVisit, TIntermSelection* choice) override {
+    const TType& type = choice->getType();
+    if (choice->getBasicType() != EbtVoid && (type.isArray() || type.isStruct()))
+      found.emplace_back(choice, "`?:` between arrays or structures: browsers refuse it");
+    return true;
+  }
+
+  bool visitAggregate(TVisit, TIntermAggregate* node) override {
+    if (node->getOp() != EOpComma) return true;
+    const bool wrong =
+        std::any_of(node->getSequence().begin(), node->getSequence().end(), [](TIntermNode* part) {
+          const TIntermTyped* typed = part->getAsTyped();
+          return typed != nullptr && (typed->getBasicType() == EbtVoid || typed->getType().containsArray());
+        });
+    if (wrong) found.emplace_back(node, "a comma between arrays or void: browsers refuse it");
+    return true;
+  }
+
+  bool visitSwitch(TVisit, TIntermSwitch* choice) override {
+    const TBasicType wanted = choice->getCondition()->getAsTyped()->getBasicType();
+    for (TIntermNode* part : choice->getBody()->getSequence()) {
+      const TIntermBranch* label = part != nullptr ? part->getAsBranchNode() : nullptr;
+      if (label != nullptr && label->getFlowOp() == EOpCase &&
+          label->getExpression()->getBasicType() != wanted)
+        found.emplace_back(label->getExpression(),
+                           "a label of another type than its switch: browsers refuse it");
+    }
+    return true;
+  }
+};
+
 class Limits {
  public:
   Limits(const Project& project, const Pass& pass)
@@ -45,6 +83,7 @@ class Limits {
 
   std::vector<Finding> find() {
     large_variables();
+    operators();
     if (!pass_.vertex.has_value()) unmatched_inputs();
     return std::move(findings_);
   }
@@ -53,6 +92,12 @@ class Limits {
   void add(int token, const std::string& text) {
     const SourceLine at = tree_.line_of_token(token);
     if (at.file >= 0) findings_.push_back(make_finding(project_, pass_, at, "webgl2", text));
+  }
+
+  void operators() {
+    OperatorFinder finder;
+    const_cast<TIntermAggregate&>(tree_.root()).traverse(&finder);  // it has no const traversal
+    for (const auto& [node, text] : finder.found) add(tree_.token_of(*node), text);
   }
 
   void large_variables() {

@@ -36,7 +36,9 @@ std::vector<Finding> thrown(const Project& project, const Pass& pass, Read read)
     if (e.status() != ExitStatus::shader) throw;
     std::istringstream lines(e.what());
     for (std::string line; std::getline(lines, line);) {
-      if (line.find(": warning: ") == std::string::npos) findings.push_back(read_error(project, pass, line));
+      const bool counts = line.find(": warning: ") == std::string::npos &&
+                          line.find("compilation errors.") == std::string::npos;
+      if (counts) findings.push_back(read_error(project, pass, line));
     }
   }
   return findings;

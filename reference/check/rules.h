@@ -27,8 +27,9 @@ std::vector<Finding> text_rules(const Project& project);
 // to compile.
 std::vector<Finding> endless_loops(const Project& project);
 
-// Variables that are larger than browsers allow, and inputs that no vertex shader gives, kind `webgl2`. The
-// shader has to compile. A local variable that nothing uses is not seen.
+// Variables that are larger than browsers allow, inputs that no vertex shader gives, and `?:`, commas and
+// labels between types that browsers don't take there, kind `webgl2`. The shader has to compile. A local
+// variable that nothing uses is not seen.
 std::vector<Finding> browser_limits(const Project& project);
 
 // `out` parameters that some path through their function leaves unwritten, kind `out`. A loop counts as if

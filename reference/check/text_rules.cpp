@@ -82,7 +82,8 @@ class Audience {
 
 class TextRules {
  public:
-  // `text`: the pass's body, or the end of it as the user wrote it, from its line `first_line` (from 0).
+  // `text`: the pass's body, or Common and the pass as the user wrote them, from its line `first_line` (from
+  // 0).
   TextRules(const Project& project, const Pass& pass, std::string_view text, std::size_t first_line = 0)
       : project_(project), pass_(pass), first_line_(first_line), tokens_(tokenize(text)) {}
 
@@ -94,19 +95,25 @@ class TextRules {
         continue;
       }
       if (token.is("{") || token.is("(")) ++depth_;
-      if (token.is("}") || token.is(")")) --depth_;
+      if (token.is("}") || token.is(")")) depth_ = std::max(depth_ - 1, 0);
       if (token.kind == Kind::identifier) identifier(token.text);
       if (token.kind == Kind::identifier && !before_.empty()) declaration(token.text);
       before_ = token.kind == Kind::identifier || token.is(".") || token.is("]") ? token.text : "";
-      any_code_ = true;
+    }
+    for (const std::size_t open : open_) {
+      at_ = open;
+      add("webgl2", "there is no #endif for this");
     }
     return std::move(findings_);
   }
 
-  // iCh0 to iCh3, which the body no longer has.
-  std::vector<Finding> structs_of_channels() {
+  // What the body no longer has: iCh0 to iCh3, and directives that native compilers would stumble over.
+  std::vector<Finding> findings_as_written() {
     for (at_ = 0; at_ < tokens_.size(); ++at_) {
-      if (tokens_[at_].first && tokens_[at_].is("#")) audience_.directive(tokens_, at_);
+      if (tokens_[at_].first && tokens_[at_].is("#")) {
+        audience_.directive(tokens_, at_);
+        if (audience_.site()) dropped_directive();
+      }
       if (!among(channel_structs, tokens_[at_].text) || declares(tokens_, tokens_[at_].text)) continue;
       const std::string name = "'" + std::string(tokens_[at_].text) + "'";
       if (pass_.kind != PassKind::image && audience_.site())
@@ -132,10 +139,11 @@ class TextRules {
       return;
     }
     audience_.directive(tokens_, at_);
+    group();
     in_define_ = at_ + 1 < tokens_.size() && tokens_[at_ + 1].is("define");
     if (in_define_ && at_ + 2 < tokens_.size() && tokens_[at_ + 2].preprocessor) macro(tokens_[at_ + 2].text);
-    if (at_ + 1 < tokens_.size() && tokens_[at_ + 1].is("extension") && any_code_ && audience_.site())
-      add("webgl2", "#extension behind code: browsers want it in front of everything else");
+    if (at_ + 1 < tokens_.size() && tokens_[at_ + 1].is("extension") && audience_.site())
+      add("webgl2", "#extension behind code: browsers want it in front of everything, the host's text too");
   }
 
   // What the user's text does to names that the hosts put around it. `before_` may be a type.
@@ -147,6 +155,7 @@ class TextRules {
     if (calls && name == "mainImage" && !is_usual_image())
       own_host(
           "mainImage() has to be `void mainImage(out vec4, in vec2)`: shadertoy.com refuses other forms");
+    if (name == "out" && before_ == "in") add("webgl2", "`in out`: browsers want `inout`");
     if (calls && name == "main" && before_ == "void" && audience_.site())
       own_host("main() is shadertoy.com's own, which refuses another one");
     if (calls && among(site_entries, name) && audience_.extension())
@@ -202,6 +211,33 @@ class TextRules {
       add("portability", "a macro 'fragCoord' breaks the VS Code extension's main()");
   }
 
+  // The number of tokens behind the # that at_ is at.
+  std::size_t length_of_directive() const {
+    std::size_t end = at_ + 1;
+    while (end < tokens_.size() && tokens_[end].preprocessor && !(tokens_[end].first && tokens_[end].is("#")))
+      ++end;
+    return end - at_ - 1;
+  }
+
+  // A compiler tells what lacks its #endif at the end of the text; here it is told where it opens.
+  void group() {
+    const std::string_view word = at_ + 1 < tokens_.size() ? tokens_[at_ + 1].text : "";
+    if (word == "if" || word == "ifdef" || word == "ifndef") open_.push_back(at_);
+    if (word == "endif" && !open_.empty()) open_.pop_back();
+  }
+
+  void dropped_directive() {
+    const std::size_t length = length_of_directive();
+    if (length == 0) return;
+    const Token& word = tokens_[at_ + 1];
+    const bool alone = (word.is("else") || word.is("endif")) && length > 1;
+    const bool named = (word.is("ifdef") || word.is("ifndef")) && length > 2;
+    const std::string name = "#" + std::string(word.text);
+    if (alone || named) add("webgl2", "browsers refuse what stands behind " + name);
+    if (word.is("pragma") && length > 1 && tokens_[at_ + 2].is("STDGL"))
+      add("webgl2", "#pragma STDGL invariant(all) is not for fragments: browsers refuse it");
+  }
+
   // Each name is told once, where it comes first.
   void identifier(std::string_view text) {
     if (audience_.site()) name(text);
@@ -238,8 +274,8 @@ class TextRules {
   Audience audience_;
   std::string_view before_;
   int depth_ = 0;  // of braces and parentheses
-  bool any_code_ = false;
   bool in_define_ = false;
+  std::vector<std::size_t> open_;  // groups of #if
   std::set<std::string> told_;
   std::vector<Finding> findings_;
 };
@@ -264,8 +300,11 @@ std::vector<Finding> text_rules(const Project& project) {
   };
   for (const Pass& pass : project.passes) {
     append(TextRules(project, pass, pass.source.body).findings());
-    append(TextRules(project, pass, pass.code, pass.source.lines.size() - own_lines(pass))
-               .structs_of_channels());
+    const std::string written = project.common + pass.code;
+    const auto common =
+        static_cast<std::size_t>(std::count(project.common.begin(), project.common.end(), '\n'));
+    const std::size_t before = pass.source.lines.size() - own_lines(pass);
+    if (before >= common) append(TextRules(project, pass, written, before - common).findings_as_written());
     append(inputs_of_one_host(project, pass));
   }
   return findings;

@@ -17,8 +17,13 @@ EShMessages messages_for(Errors errors) {
   return errors == Errors::all ? EShMsgCascadingErrors : EShMsgDefault;
 }
 
+int line_count(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n')) + (text.ends_with('\n') ? 0 : 1);
+}
+
 // glslang numbers its messages by token; map_log wants lines.
-std::string log_by_line(const std::string& log, const std::vector<Token>& tokens) {
+// `lines`: of the whole text. What is missing at its end is told behind the last token.
+std::string log_by_line(const std::string& log, const std::vector<Token>& tokens, int lines) {
   std::istringstream in(log);
   std::string out;
   for (std::string line; std::getline(in, line);) {
@@ -27,8 +32,10 @@ std::string log_by_line(const std::string& log, const std::vector<Token>& tokens
     // What follows the count of errors says nothing that the errors don't.
     if (end == std::string::npos) continue;
     const int token = std::atoi(line.c_str() + number + 3) - 1;
-    if (token < 0 || token >= static_cast<int>(tokens.size())) continue;
-    out += line.substr(0, number + 3) + std::to_string(tokens[token].line) + line.substr(end) + '\n';
+    if (token < 0) continue;
+    const int at =
+        token < static_cast<int>(tokens.size()) ? tokens[static_cast<std::size_t>(token)].line : lines;
+    out += line.substr(0, number + 3) + std::to_string(at) + line.substr(end) + '\n';
   }
   return out;
 }
@@ -67,7 +74,7 @@ SyntaxTree::SyntaxTree(const Project& project, const PassSource& source, Folding
   shader_->setStrings(&strings, 1);
   const ConstantFolding guard(folding);
   if (!shader_->parse(GetDefaultResources(), version, EEsProfile, false, false, messages_for(errors)))
-    refuse(project, source, log_by_line(shader_->getInfoLog(), tokens_));
+    refuse(project, source, log_by_line(shader_->getInfoLog(), tokens_, line_count(source.text())));
   root_ = shader_->getIntermediate()->getTreeRoot()->getAsAggregate();
   declarations_ = std::make_unique<Declarations>(tokens_);
 }
