@@ -1,5 +1,6 @@
 // What shadertoy.com's passes and targets do, on every player.
 #include "host/base/error.h"
+#include "host/player/fixed_clock.h"
 #include "tests/twin/every_player.h"
 
 namespace shadertwin {
@@ -170,6 +171,43 @@ TEST_P(SiteRules, MacrosMayNameTheEntryPoints) {
   player->render(frame(0));
   EXPECT_EQ(pixel(player->read(1)), glm::vec4(.25F, .5F, .75F, 1));
   EXPECT_EQ(pixel(player->sound_block(0, glm::vec4(0)), 441), glm::vec4(.01F, .5F, 0, 1));
+}
+
+// The hand presses in frame 2 in the upper left corner and lets go in frame 4; the clock stands half a second
+// before February.
+TEST_P(SiteRules, MouseDateAndTimeOfTheFirstFrames) {
+  folder.write("tabs/buffer_a.glsl",
+               "void mainImage(out vec4 c, in vec2 p) {\n"
+               "  c = p.x < 1. ? iMouse : p.x < 2. ? iDate : p.x < 3. ? vec4(iTimeDelta, iFrame, iTime, "
+               "iFrameRate) :\n"
+               "      vec4(floatBitsToUint(iMouse.zw) >> 31, iResolution.z, iSampleRate);\n}\n");
+  folder.write("tabs/image.glsl", "void mainImage(out vec4 c, in vec2 p) {}\n");
+  const Project project = load_project(folder / "tabs");
+  const auto player = play(project);
+  Schedule schedule;
+  schedule.width = 4;
+  schedule.height = 3;
+  schedule.fps = 4.0;
+  schedule.date = Date::parse("2024-01-31T23:59:59.5");
+  schedule.mouse = {{2, {0.25, 3.0}, true}, {3, {3.75, 1.5}, true}, {4, {3.75, 1.5}, false}};
+  FixedClock clock(schedule, project.dialect);
+  const glm::vec4 mouse[] = {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 3, 0, 3}, {3, 1, 0, -3}, {3, 1, 0, -3}};
+  const glm::vec4 date[] = {{2024, 0, 31, 86399.5F},
+                            {2024, 0, 31, 86399.75F},
+                            {2024, 1, 1, 0},
+                            {2024, 1, 1, .25F},
+                            {2024, 1, 1, .5F}};
+  const float negative[][2] = {
+      {1, 1}, {1, 1}, {0, 0}, {0, 1}, {1, 1}};  // the signs of z and w, also of zeros
+  for (int i = 0; i < 5; ++i) {
+    player->render(clock.next());
+    const Image image = player->read(0);
+    EXPECT_EQ(pixel(image, 0), mouse[i]) << "frame " << i;
+    EXPECT_EQ(pixel(image, 1), date[i]) << "frame " << i;
+    EXPECT_EQ(pixel(image, 2),
+              glm::vec4(i == 0 ? 1.0F / 60.0F : .25F, i, .25F * static_cast<float>(i), pixel(image, 2).w));
+    EXPECT_EQ(pixel(image, 3), glm::vec4(negative[i][0], negative[i][1], 1, 44100)) << "frame " << i;
+  }
 }
 
 // Braces and parentheses that a macro opens or closes hide neither what is global nor what is not.
