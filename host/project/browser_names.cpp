@@ -24,7 +24,18 @@ const Names& later_words() {
                               "samplerCubeArray",
                               "samplerCubeArrayShadow",
                               "isamplerCubeArray",
-                              "usamplerCubeArray"};
+                              "usamplerCubeArray",
+                              "int8_t",
+                              "int16_t",
+                              "int32_t",
+                              "int64_t",
+                              "uint8_t",
+                              "uint16_t",
+                              "uint32_t",
+                              "uint64_t",
+                              "float16_t",
+                              "float32_t",
+                              "float64_t"};
   return names;
 }
 

@@ -24,15 +24,40 @@ int constant_index(const TIntermTyped& node) {
   return value.getType() == EbtUint ? static_cast<int>(value.getUConst()) : value.getIConst();
 }
 
+std::string glsl_name(const TType& type) {
+  const bool is_vector = type.getVectorSize() > 1;
+  switch (type.getBasicType()) {
+    case EbtFloat:
+      return is_vector ? "vec" + std::to_string(type.getVectorSize()) : "float";
+    case EbtInt:
+      return is_vector ? "ivec" + std::to_string(type.getVectorSize()) : "int";
+    case EbtUint:
+      return is_vector ? "uvec" + std::to_string(type.getVectorSize()) : "uint";
+    default:
+      return is_vector ? "bvec" + std::to_string(type.getVectorSize()) : "bool";
+  }
+}
+
+// Of a variable among a constructor's arguments: `i` in vec2(i, 1.0), but not in vec2(float(i), 1.0).
+bool is_implicit_conversion(const SyntaxTree& tree, const TIntermTyped& node) {
+  const TIntermUnary* unary = node.getAsUnaryNode();
+  if (unary == nullptr || !is_conversion(unary->getOp()) || unary->getOperand()->getAsSymbolNode() == nullptr)
+    return false;
+  const int token = tree.token_of(*unary->getOperand());
+  return token >= 2 && (tree.tokens()[static_cast<std::size_t>(token) - 1].text != "(" ||
+                        tree.tokens()[static_cast<std::size_t>(token) - 2].text != glsl_name(node.getType()));
+}
+
 // A variable, or a part of it that is known before the shader runs. Browsers and Mesa read it only when the
 // operation that it is an operand of is done: `vec2(x, x += 1.0)` has twice the same.
-bool is_place(const TIntermTyped& node) {
+bool is_place(const SyntaxTree& tree, const TIntermTyped& node) {
   if (node.getAsSymbolNode() != nullptr) return true;
+  if (is_implicit_conversion(tree, node)) return true;
   const TIntermBinary* part = node.getAsBinaryNode();
   if (part == nullptr) return false;
   const TOperator op = part->getOp();
   return (op == EOpIndexDirect || op == EOpIndexDirectStruct || op == EOpVectorSwizzle) &&
-         is_place(*part->getLeft());
+         is_place(tree, *part->getLeft());
 }
 
 // A divisor that C++ can divide by as it is: neither 0 nor -1.
@@ -135,14 +160,15 @@ std::vector<CppExpressions::Text> CppExpressions::in_order(const std::vector<con
                                                            bool wide) {
   std::vector<const Effects*> effects;
   for (const TIntermTyped* operand : operands) effects.push_back(&context_.program().effects(*operand));
+  const SyntaxTree& tree = context_.program().tree();
   std::vector<Text> texts;
   for (std::size_t i = 0; i < operands.size(); ++i) {
     Text text = expression(*operands[i]);
     bool order_shows = false;
     for (std::size_t j = 0; j < operands.size(); ++j) {
       // A place is read when all operands are there, so what writes it has to come first.
-      const bool reads_before = j > i && !is_place(*operands[i]);
-      const bool writes_before = j < i && is_place(*operands[j]);
+      const bool reads_before = j > i && !is_place(tree, *operands[i]);
+      const bool writes_before = j < i && is_place(tree, *operands[j]);
       order_shows |= (reads_before || writes_before) && effects[i]->conflicts_with(*effects[j]);
     }
     if (order_shows) text = temporary(*operands[i], text.text);

@@ -6,6 +6,7 @@ namespace shadertwin {
 namespace {
 
 TEST(BrowserText, RenamesWordsOfLaterVersions) {
+  EXPECT_EQ(as_in_a_browser("struct uint32_t { int x; };", true), "struct shadertwin_uint32_t { int x; };");
   EXPECT_EQ(as_in_a_browser("float buffer, shared; // buffer\nbuffers.x = packed;", true),
             "float shadertwin_buffer, shadertwin_shared; // buffer\nbuffers.x = shadertwin_packed;");
 }

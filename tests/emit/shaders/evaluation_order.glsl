@@ -12,6 +12,9 @@ vec4 late(vec2 q) {
   vec4 sum = vec4(p, p += 1.0) + vec4(x, x++, max(y, y -= 1.0), dot(r, r += 1.0));
   sum.x += p.x - length(p -= 0.3);
   r = r + (r *= 2.0);
+  int i = int(q.x);
+  vec2 k = vec2(i, i++);
+  sum.z += k.x * 3.0 + k.y;
   return sum + vec4(r, z, z = 9.0);
 }
 void mainImage(out vec4 color, in vec2 p) {
