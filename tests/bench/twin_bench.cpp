@@ -109,9 +109,15 @@ void twin_from_cache(benchmark::State& state) {
   for (auto _ : state) twin::TwinPlayer::create(project);
 }
 
-#define SHADERTWIN_PLAYED(function)                                                            \
-  BENCHMARK_CAPTURE(function, scene_0, scene_0)->Unit(benchmark::kMillisecond)->UseRealTime(); \
-  BENCHMARK_CAPTURE(function, marcher, marcher)->Unit(benchmark::kMillisecond)->UseRealTime()
+#define SHADERTWIN_PLAYED(function)             \
+  BENCHMARK_CAPTURE(function, scene_0, scene_0) \
+      ->Unit(benchmark::kMillisecond)           \
+      ->MeasureProcessCPUTime()                 \
+      ->UseRealTime();                          \
+  BENCHMARK_CAPTURE(function, marcher, marcher) \
+      ->Unit(benchmark::kMillisecond)           \
+      ->MeasureProcessCPUTime()                 \
+      ->UseRealTime()
 SHADERTWIN_PLAYED(llvmpipe);
 SHADERTWIN_PLAYED(twin);
 SHADERTWIN_PLAYED(twin_of_single_pixels);
