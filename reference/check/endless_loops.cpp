@@ -15,16 +15,18 @@ bool always_goes_on(const TIntermLoop& loop) {
   return constant != nullptr && constant->getConstArray()[0].getBConst();
 }
 
-// Finds what can end the loop whose body it walks. `discard` doesn't count: ANGLE refuses such a loop too.
+// Finds what can end the loop whose body it walks.
 class ExitFinder : public TIntermTraverser {
  public:
+  explicit ExitFinder(bool discard_ends) : discard_ends_(discard_ends) {}
+
   bool found = false;
 
   bool visitLoop(TVisit, TIntermLoop* loop) override { return nested(loop->getBody()); }
   bool visitSwitch(TVisit, TIntermSwitch* choice) override { return nested(choice->getBody()); }
   bool visitBranch(TVisit, TIntermBranch* jump) override {
     const TOperator op = jump->getFlowOp();
-    found |= op == EOpReturn || (op == EOpBreak && depth_ == 0);
+    found |= op == EOpReturn || (op == EOpBreak && depth_ == 0) || (op == EOpKill && discard_ends_);
     return true;
   }
 
@@ -37,15 +39,21 @@ class ExitFinder : public TIntermTraverser {
     return false;
   }
 
+  bool discard_ends_;
   int depth_ = 0;
 };
+
+// ANGLE refuses `for` and `while` without an end, also those that only `discard` ends, and takes `do`.
+bool browsers_refuse(const TIntermLoop& loop) {
+  return loop.testFirst();
+}
 
 class LoopCollector : public TIntermTraverser {
  public:
   std::vector<const TIntermLoop*> endless;
 
   bool visitLoop(TVisit, TIntermLoop* loop) override {
-    ExitFinder exits;
+    ExitFinder exits(!browsers_refuse(*loop));
     if (loop->getBody() != nullptr) loop->getBody()->traverse(&exits);
     if (always_goes_on(*loop) && !exits.found) endless.push_back(loop);
     return true;
@@ -61,8 +69,11 @@ std::vector<Finding> endless_loops(const Project& project) {
     LoopCollector loops;
     const_cast<TIntermAggregate&>(tree.root()).traverse(&loops);  // it has no const traversal
     for (const TIntermLoop* loop : loops.endless)
-      findings.push_back(make_finding(project, pass, tree.line_of(*loop), "webgl2",
-                                      "no break or return leaves this loop: browsers refuse it"));
+      findings.push_back(
+          browsers_refuse(*loop)
+              ? make_finding(project, pass, tree.line_of(*loop), "webgl2",
+                             "no break or return leaves this loop: browsers refuse it")
+              : make_finding(project, pass, tree.line_of(*loop), "loop", "nothing leaves this loop"));
   }
   return findings;
 }

@@ -57,6 +57,8 @@ TEST_F(CheckCommand, FindsLoopsWithoutAWayOutAndDoesNotRunThem) {
               "a.glsl:4: webgl2: no break or return leaves this loop");
   expect_only(check("", "c = p.xyxy;\nfor (;;) { if (p.x > 1.0) discard; }"),
               "a.glsl:4: webgl2: no break or return leaves this loop");
+  expect_only(check("", "c = p.xyxy;\ndo c.x += 1.0; while (true);"),
+              "a.glsl:4: loop: nothing leaves this loop");
   const Outcome left =
       check("", "float x = 0.0;\nwhile (true) { x += 1.0; if (x > 3.0) break; }\nc = vec4(x);");
   EXPECT_EQ(left.status, 0) << left.out << left.err;
