@@ -139,13 +139,12 @@ std::vector<std::string> Compiler::arguments(const CompileOptions& options) cons
                                    "-I" + include_root_.string()};
   const bool pattern = options.uninitialised == Uninitialised::pattern;
   if (pattern) list.insert(list.end(), {"-ftrivial-auto-var-init=pattern", "-DSHADERTWIN_PATTERN"});
-  // Packets leave it to the emitter, which starts every variable of the shader's: 3 % of the path tracer's
-  // time.
-  if (!pattern && !options.packets) {
+  // GCC leaves it to the emitter, which starts every variable of the shader's: its flag costs packets 3 % of
+  // the path tracer's time, and GCC 12's clears a double of a matrix in a structure that ends with padding.
+  if (!pattern && !options.packets && is_clang()) {
     list.emplace_back("-ftrivial-auto-var-init=zero");
-    // clang has zero initialisation behind a flag up to version 15.
-    if (is_clang())
-      list.emplace_back("-enable-trivial-auto-var-init-zero-knowing-it-will-be-removed-from-clang");
+    // Behind a flag up to version 15.
+    list.emplace_back("-enable-trivial-auto-var-init-zero-knowing-it-will-be-removed-from-clang");
   }
   if (options.double_precision) list.emplace_back("-DSHADERTWIN_DOUBLE");
   if (options.debug)
