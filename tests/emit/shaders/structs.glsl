@@ -15,6 +15,7 @@ void mainImage(out vec4 color, in vec2 p) {
   list[2].inner.a.x = 7.0;
   bool same = o == list[0], different = o != copy;
   Inner empty = Inner(vec2(0.0), float[2](0.0, 0.0));
-  color = vec4(padded.m[1][0] + copy.inner.a.x + list[2].inner.a.x, copy.inner.b[1], float(copy.n) + (same ? 0.25 : 0.0),
+  color = vec4(copy.inner.a.x + list[2].inner.a.x, copy.inner.b[1], float(copy.n) + (same ? 0.25 : 0.0),
                (different ? 1.0 : 0.0) + (empty == o.inner ? 2.0 : 0.0) + list[1].m[1][1]);
+  if (p.y > 6.0) color.x = padded.m[1][0];
 }
