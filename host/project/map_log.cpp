@@ -47,6 +47,11 @@ bool is_candidate(const std::string& line) {
   return std::regex_match(line, mesa);
 }
 
+// glslang's way of saying that it read no further.
+bool is_end(const std::string& line) {
+  return line.ends_with("'' : compilation terminated ");
+}
+
 }  // namespace
 
 std::string map_log(const Project& project, const PassSource& source, const std::string& log,
@@ -57,7 +62,7 @@ std::string map_log(const Project& project, const PassSource& source, const std:
   std::string mapped;
   for (std::string line; std::getline(lines, line);) {
     while (!line.empty() && (line.back() == '\r' || line.back() == '\0')) line.pop_back();
-    if (line.empty() || is_candidate(line)) continue;
+    if (line.empty() || is_candidate(line) || is_end(line)) continue;
     if (line.ends_with(candidates)) line.resize(line.size() - candidates.size());
     if (!mapped.empty()) mapped += '\n';
     const std::optional<Message> message = parse(line);

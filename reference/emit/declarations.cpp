@@ -288,7 +288,8 @@ class Scanner {
         function.open = at_;
         function.returns_last = text(block()) == "return";
         function.close = at_ - 1;
-        functions_.push_back(function);
+        // Where the text ends before its brace does, the function has no end to write anything at.
+        if (function.close < size()) functions_.push_back(function);
       }
       close_scope();
     } else {

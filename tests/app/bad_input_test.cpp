@@ -68,6 +68,9 @@ TEST_F(BadInput, CommandLine) {
 }
 
 TEST_F(BadInput, Shaders) {
+  folder.write("brace.glsl", "float f(float x) {\n  if (x > 0.5) { return x;\n}\n" + std::string(plain));
+  for (const std::string on : {"egl/fragment", "egl/compute", "osmesa", "cpu", "cpu/double"})
+    expect(3, "brace.glsl --on " + on, {"brace.glsl:4: error:"});
   expect(4, "none.glsl", {"none.glsl"});
   expect(4, "out", {"image.glsl"});
   folder.write("missing.glsl", std::string("#include \"gone.glsl\"\n") + plain);

@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 
+#include "host/base/error.h"
+#include "reference/emit/emit_precise.h"
 #include "tests/scratch_folder.h"
 
 namespace shadertwin {
@@ -124,6 +127,32 @@ TEST(EmitDefined, KeepsEveryLineWhereItWas) {
   EXPECT_EQ(defined(body),
             "\n\n\nfloat f ( )\n{\nfloat a = 0.0 ;\nfor ( int i = 0 ; i < 3 ; i ++ ) { a += 1.0 ; }\nreturn "
             "a ;\n}\n");
+}
+
+// What a user types is seldom whole: a brace is missing, or half of a line.
+TEST(EmitDefined, ReadsBrokenTexts) {
+  const std::string whole =
+      "#define M(a) (a * 2.0)\nstruct S { float a[3]; int b; } s, t[2];\nfloat g[999];\n"
+      "int f(int i, out vec2 v, inout float w[3]) { if (i > 0) { return M(i); } else v.x = 1.0; }\n"
+      "float h(S s) { float a[999]; for (int i = 0; i < 3; i++) { vec2 v; int k = f(i, v, s.a); a[k] = 1.0; "
+      "}\n"
+      "  do { switch (s.b) { case 1: s.b++; default: break; } } while (s.b < 3);\n  return a[s.b]; }\n";
+  const Project project = project_of(whole);
+  const auto read = [&](const std::string& body) {
+    Project broken = project;
+    broken.passes[0].source.body = body;
+    emit_defined(broken);
+    try {
+      emit_precise(broken);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.status(), ExitStatus::shader);
+    }
+  };
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (std::ispunct(static_cast<unsigned char>(whole[i])) == 0) continue;
+    read(whole.substr(0, i));
+    read(std::string(whole).erase(i, 1));
+  }
 }
 
 TEST(EmitDefined, LeavesWhatItCannotReadToTheDriver) {
