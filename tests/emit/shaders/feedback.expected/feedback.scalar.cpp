@@ -1,0 +1,53 @@
+#include "reference/twin/invocation.h"
+
+namespace shadertwin::glsl {
+namespace {
+
+struct Shader : Invocation {
+  int iFrame{};
+  sampler2D iChannel0{};
+  sampler2D iChannel1{};
+  vec4 shadertoy_out_color{};
+
+  void initialise() {
+    unwritten(shadertoy_out_color);
+  }
+  template <class Bind>
+  void bind_uniforms(Bind&& bind) {
+    bind("iFrame", iFrame);
+    bind("iChannel0", iChannel0);
+    bind("iChannel1", iChannel1);
+  }
+  static constexpr bool uses_derivatives = false;
+  static constexpr bool uses_implicit_lod = false;
+  static constexpr bool uses_stop = true;
+
+#line 4 "tests/emit/shaders/feedback.glsl"
+  void mainImage(vec4& color, vec2 p) {
+#line 4 "tests/emit/shaders/feedback.glsl"
+    color = vec4(0.0f);
+    vec4 before = texelFetch(iChannel0, make<ivec2>(p), 0);
+#line 5 "tests/emit/shaders/feedback.glsl"
+    vec4 other = texelFetch(iChannel1, modulo(make<ivec2>(p.yx()), 8), 0);
+    if (iFrame == 1 && p.x < 3.0f) {
+#line 6 "tests/emit/shaders/feedback.glsl"
+      stop_invocation();
+#line 6 "tests/emit/shaders/feedback.glsl"
+    }
+    color = before * 0.5f + other + Float(iFrame);
+#line 7 "tests/emit/shaders/feedback.glsl"
+  }
+#line 41 "twin.cpp"
+
+  void main() {
+    vec4 shadertoy_color = vec4(0.0f);
+    mainImage(shadertoy_color, gl_FragCoord.xy());
+    shadertoy_out_color = shadertoy_color;
+  }
+
+};
+
+}  // namespace
+}  // namespace shadertwin::glsl
+
+SHADERTWIN_EXPORT(shadertoy_out_color)

@@ -1,0 +1,183 @@
+#include "reference/twin/invocation.h"
+
+namespace shadertwin::glsl {
+namespace {
+
+struct Segment {
+  Float shadertwin_length;
+  vec2 way;
+  bool operator==(const Segment&) const = default;
+};
+
+struct Shader : Invocation {
+  vec4 shadertoy_out_color{};
+  Float shadertwin_step{};
+  Float shadertwin_packed{};
+
+  void initialise() {
+    unwritten(shadertoy_out_color);
+    shadertwin_step = 0.25f;
+    shadertwin_packed = 2.0f;
+  }
+  template <class Bind>
+  void bind_uniforms(Bind&& bind) {
+  }
+  static constexpr bool uses_derivatives = false;
+  static constexpr bool uses_implicit_lod = false;
+  static constexpr bool uses_stop = false;
+
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  Float shadertwin_mix(Float a, Float b, Float c) {
+#line 10 "tests/emit/shaders/forgiven.glsl"
+    return mix(a, b, c);
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  }
+#line 36 "twin.cpp"
+
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  Float shadertwin_mix(Float a, Float b, bool c) {
+#line 10 "tests/emit/shaders/forgiven.glsl"
+    return mix(a, b, c);
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  }
+#line 44 "twin.cpp"
+
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  vec2 shadertwin_mix(vec2 a, vec2 b, vec2 c) {
+#line 10 "tests/emit/shaders/forgiven.glsl"
+    return mix(a, b, c);
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  }
+#line 52 "twin.cpp"
+
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  vec2 shadertwin_mix(vec2 a, vec2 b, Float c) {
+#line 10 "tests/emit/shaders/forgiven.glsl"
+    return mix(a, b, c);
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  }
+#line 60 "twin.cpp"
+
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  vec2 shadertwin_mix(vec2 a, vec2 b, bvec2 c) {
+#line 10 "tests/emit/shaders/forgiven.glsl"
+    return mix(a, b, c);
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  }
+#line 68 "twin.cpp"
+
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  vec3 shadertwin_mix(vec3 a, vec3 b, vec3 c) {
+#line 10 "tests/emit/shaders/forgiven.glsl"
+    return mix(a, b, c);
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  }
+#line 76 "twin.cpp"
+
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  vec3 shadertwin_mix(vec3 a, vec3 b, Float c) {
+#line 10 "tests/emit/shaders/forgiven.glsl"
+    return mix(a, b, c);
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  }
+#line 84 "twin.cpp"
+
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  vec3 shadertwin_mix(vec3 a, vec3 b, bvec3 c) {
+#line 10 "tests/emit/shaders/forgiven.glsl"
+    return mix(a, b, c);
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  }
+#line 92 "twin.cpp"
+
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  vec4 shadertwin_mix(vec4 a, vec4 b, vec4 c) {
+#line 10 "tests/emit/shaders/forgiven.glsl"
+    return mix(a, b, c);
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  }
+#line 100 "twin.cpp"
+
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  vec4 shadertwin_mix(vec4 a, vec4 b, Float c) {
+#line 10 "tests/emit/shaders/forgiven.glsl"
+    return mix(a, b, c);
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  }
+#line 108 "twin.cpp"
+
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  vec4 shadertwin_mix(vec4 a, vec4 b, bvec4 c) {
+#line 10 "tests/emit/shaders/forgiven.glsl"
+    return mix(a, b, c);
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  }
+#line 116 "twin.cpp"
+
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  vec2 shadertwin_mix(vec2 a, vec2 b, vec3 c) {
+#line 10 "tests/emit/shaders/forgiven.glsl"
+    return a * c.xy() + b * c.z;
+#line 10 "tests/emit/shaders/forgiven.glsl"
+  }
+#line 124 "twin.cpp"
+
+#line 11 "tests/emit/shaders/forgiven.glsl"
+  vec3 shadertwin_fma(vec3 a, vec3 b, vec3 shadertwin_unnamed_0) {
+#line 11 "tests/emit/shaders/forgiven.glsl"
+    return a * b;
+#line 11 "tests/emit/shaders/forgiven.glsl"
+  }
+#line 132 "twin.cpp"
+
+#line 12 "tests/emit/shaders/forgiven.glsl"
+  Float choose(int k) {
+#line 14 "tests/emit/shaders/forgiven.glsl"
+    switch (k) {
+      case 0:
+#line 15 "tests/emit/shaders/forgiven.glsl"
+      {
+#line 15 "tests/emit/shaders/forgiven.glsl"
+        return 1.0f;
+#line 15 "tests/emit/shaders/forgiven.glsl"
+      }
+#line 15 "tests/emit/shaders/forgiven.glsl"
+      [[fallthrough]];
+      case 1:
+#line 16 "tests/emit/shaders/forgiven.glsl"
+      {
+#line 16 "tests/emit/shaders/forgiven.glsl"
+        break;
+#line 16 "tests/emit/shaders/forgiven.glsl"
+      }
+#line 16 "tests/emit/shaders/forgiven.glsl"
+    }
+#line 18 "tests/emit/shaders/forgiven.glsl"
+    return shadertwin_step;
+#line 18 "tests/emit/shaders/forgiven.glsl"
+  }
+#line 160 "twin.cpp"
+
+#line 20 "tests/emit/shaders/forgiven.glsl"
+  void mainImage(vec4& c, vec2 p) {
+    c = vec4(0.0f);
+    Segment s = Segment{2.0f, p};
+    s.shadertwin_length *= 0.0f + shadertwin_step;
+    c = vec4(shadertwin_mix(p, s.way, vec3(1.0f, 2.0f, 3.0f)), shadertwin_mix(1.0f, 2.0f, 0.5f) * shadertwin_packed, choose(make<int>(p.x)) + s.shadertwin_length);
+    swizzle<0, 1, 2>(c) += shadertwin_fma(vec3(2.0f, 5.0f, 8.0f), vec3(p, 1.0f), vec3(0.0f));
+#line 25 "tests/emit/shaders/forgiven.glsl"
+  }
+#line 171 "twin.cpp"
+
+  void main() {
+    vec4 shadertoy_color = vec4(0.0f);
+    mainImage(shadertoy_color, gl_FragCoord.xy());
+    shadertoy_out_color = shadertoy_color;
+  }
+
+};
+
+}  // namespace
+}  // namespace shadertwin::glsl
+
+SHADERTWIN_EXPORT(shadertoy_out_color)

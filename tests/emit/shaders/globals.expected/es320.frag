@@ -1,0 +1,56 @@
+#version 320 es
+precision highp float ; precision highp int ; int shadertwin_at ( precise int i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (clamp ( i , 0 , last ))) ; } int shadertwin_at ( precise uint i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (int ( min ( i , uint ( last ) ) ))) ; }
+precision highp sampler2D ; precision highp samplerCube ; precision highp sampler3D ;
+
+uniform vec3 iResolution ;
+uniform float iTime ;
+uniform float iTimeDelta ;
+uniform int iFrame ;
+uniform vec4 iDate ;
+uniform vec4 iMouse ;
+uniform float iSampleRate ;
+uniform vec4 iMouseButton ;
+uniform mat4 iViewMatrix ;
+uniform vec3 iChannelResolution [ 10 ] ;
+uniform sampler2D iChannel0 ;
+uniform sampler2D iChannel1 ;
+uniform sampler2D iChannel2 ;
+uniform sampler2D iChannel3 ;
+uniform sampler2D iChannel4 ;
+uniform sampler2D iChannel5 ;
+uniform sampler2D iChannel6 ;
+uniform sampler2D iChannel7 ;
+uniform sampler2D iChannel8 ;
+uniform sampler2D iChannel9 ;
+uniform sampler2D iKeyboard ;
+
+
+
+
+
+
+
+
+
+
+
+
+
+
+
+layout(location = 0) out vec4 shadertoy_out_color;
+
+precise float a = 1.0 ; precise vec3 b = vec3 ( 1.0 , 2.0 , 3.0 ) * 2.0 ; precise int count = 3 ;
+precise float c = 0.0 , d = 4.0 ;
+const vec2 k = vec2 ( 0.5 , 0.25 ) , kk = k * 2.0 + k . yx ;
+precise float list [ 3 ] = float [ 3 ] ( 1.0 , 2.0 , 3.0 ) ;
+precise mat2 m = mat2 ( 1.0 , 0.0 , 0.0 , 1.0 ) ;
+struct S { float x ; vec2 y ; } s = S ( 1.0 , vec2 ( 2.0 ) ) ;
+precise vec4 unused = vec4 ( 0 ) ;
+float step_ ( ) { precise bool shadertwin_test; precise float shadertwin_result; a += 1.0 ; count -- ; list [ 1 ] *= 2.0 ; s . y . x += a ; return (shadertwin_result = (a)) ; }
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+b . xy = p ; c = step_ ( ) + step_ ( ) * 8.0 ; m [ 1 ] *= p ;
+for ( precise int i = 0 ; (shadertwin_test = (i < 2)) ; i ++ ) c += list [ i ] + float ( count ) ;
+color = vec4 ( a + c , b . x + d , kk + s . y * m ) ;
+}
+void main ( ) { precise bool shadertwin_test; precise vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

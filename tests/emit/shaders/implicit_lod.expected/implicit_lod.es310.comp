@@ -1,0 +1,1 @@
+runs as fragments: the shader uses texture on an input with mipmaps

@@ -1,0 +1,1 @@
+runs as fragments: the shader uses discard

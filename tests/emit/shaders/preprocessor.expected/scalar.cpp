@@ -1,0 +1,58 @@
+#include "reference/twin/invocation.h"
+#undef TAU
+#undef THIRD
+
+namespace shadertwin::glsl {
+namespace {
+
+const Float THIRD = 2.0943952f;
+
+struct Shader : Invocation {
+  vec3 iResolution{};
+  Float iTime{};
+  vec4 shadertoy_out_color{};
+  Float time_scale{};
+
+  void initialise() {
+    unwritten(shadertoy_out_color);
+    time_scale = 2.0f;
+  }
+  template <class Bind>
+  void bind_uniforms(Bind&& bind) {
+    bind("iResolution", iResolution);
+    bind("iTime", iTime);
+  }
+  static constexpr bool uses_derivatives = false;
+  static constexpr bool uses_implicit_lod = false;
+  static constexpr bool uses_stop = false;
+
+#line 26 "tests/emit/shaders/preprocessor.glsl"
+  void mainImage(vec4& O, vec2 U) {
+#line 26 "tests/emit/shaders/preprocessor.glsl"
+    O = vec4(0.0f);
+    Float acc = 0.0f;
+    for (int i = 0; i < 4; i++) {
+#line 28 "tests/emit/shaders/preprocessor.glsl"
+      acc += Float(i) * Float(i) * 2.0f;
+#line 28 "tests/emit/shaders/preprocessor.glsl"
+    }
+    vec2 R = iResolution.xy();
+#line 29 "tests/emit/shaders/preprocessor.glsl"
+    vec2 uv = (U + U - R) / R.y * mat2(0.75f, -0.25f, 0.25f, 0.75f);
+    O = vec4(acc + 0.5f, uv, THIRD * time_scale + (iTime + 0.25f));
+#line 30 "tests/emit/shaders/preprocessor.glsl"
+  }
+#line 46 "twin.cpp"
+
+  void main() {
+    vec4 shadertoy_color = vec4(0.0f);
+    mainImage(shadertoy_color, gl_FragCoord.xy());
+    shadertoy_out_color = shadertoy_color;
+  }
+
+};
+
+}  // namespace
+}  // namespace shadertwin::glsl
+
+SHADERTWIN_EXPORT(shadertoy_out_color)

@@ -1,0 +1,153 @@
+#include "reference/twin/invocation.h"
+
+namespace shadertwin::glsl {
+namespace {
+
+struct Shader : Invocation {
+  vec4 shadertoy_out_color{};
+  int k{};
+
+  void initialise() {
+    unwritten(shadertoy_out_color);
+    k = 0;
+  }
+  template <class Bind>
+  void bind_uniforms(Bind&& bind) {
+  }
+  static constexpr bool uses_derivatives = false;
+  static constexpr bool uses_implicit_lod = false;
+  static constexpr bool uses_stop = false;
+
+#line 3 "tests/emit/shaders/side_effects.glsl"
+  int next() {
+#line 3 "tests/emit/shaders/side_effects.glsl"
+    return k++;
+#line 3 "tests/emit/shaders/side_effects.glsl"
+  }
+#line 28 "twin.cpp"
+
+#line 4 "tests/emit/shaders/side_effects.glsl"
+  Float take(array<Float, 4>& list, int i) {
+#line 4 "tests/emit/shaders/side_effects.glsl"
+    list[i] += 1.0f;
+#line 4 "tests/emit/shaders/side_effects.glsl"
+    return list[i];
+#line 4 "tests/emit/shaders/side_effects.glsl"
+  }
+#line 38 "twin.cpp"
+
+#line 5 "tests/emit/shaders/side_effects.glsl"
+  Float both(Float& a, Float& b) {
+#line 5 "tests/emit/shaders/side_effects.glsl"
+    Float t = a;
+#line 5 "tests/emit/shaders/side_effects.glsl"
+    a = b;
+#line 5 "tests/emit/shaders/side_effects.glsl"
+    b = t;
+#line 5 "tests/emit/shaders/side_effects.glsl"
+    return a - b;
+#line 5 "tests/emit/shaders/side_effects.glsl"
+  }
+#line 52 "twin.cpp"
+
+#line 6 "tests/emit/shaders/side_effects.glsl"
+  vec3 sample_(uint& s) {
+#line 6 "tests/emit/shaders/side_effects.glsl"
+    s = s * 1664525u + 1013904223u;
+#line 6 "tests/emit/shaders/side_effects.glsl"
+    return vec3(Float(s >> 8), Float(s >> 16), Float(s >> 24)) / 256.0f;
+#line 6 "tests/emit/shaders/side_effects.glsl"
+  }
+#line 62 "twin.cpp"
+
+#line 7 "tests/emit/shaders/side_effects.glsl"
+  bool more(int& n) {
+#line 7 "tests/emit/shaders/side_effects.glsl"
+    return --n > 0;
+#line 7 "tests/emit/shaders/side_effects.glsl"
+  }
+#line 70 "twin.cpp"
+
+#line 8 "tests/emit/shaders/side_effects.glsl"
+  void mainImage(vec4& color, vec2 p) {
+#line 8 "tests/emit/shaders/side_effects.glsl"
+    color = vec4(0.0f);
+    array<Float, 4> list = array<Float, 4>{{p.x, 1.0f, 2.0f, 3.0f}};
+    Float& place = list[next()];
+#line 10 "tests/emit/shaders/side_effects.glsl"
+    place += 5.0f;
+    Float& place_2 = list[next()];
+#line 11 "tests/emit/shaders/side_effects.glsl"
+    place_2 = list[next()] * 2.0f;
+    const Float tmp = take(list, 3);
+#line 12 "tests/emit/shaders/side_effects.glsl"
+    const Float tmp_2 = tmp * take(list, 3);
+#line 12 "tests/emit/shaders/side_effects.glsl"
+    Float t = tmp_2 + take(list, k & 3);
+    Float tmp_3 = list[0];
+#line 13 "tests/emit/shaders/side_effects.glsl"
+    Float tmp_4 = list[1];
+#line 13 "tests/emit/shaders/side_effects.glsl"
+    const Float tmp_5 = both(tmp_3, tmp_4);
+#line 13 "tests/emit/shaders/side_effects.glsl"
+    list[0] = tmp_3;
+#line 13 "tests/emit/shaders/side_effects.glsl"
+    list[1] = tmp_4;
+#line 13 "tests/emit/shaders/side_effects.glsl"
+    Float u = tmp_5;
+    uint s = make<uint>(p.x) * 17u + make<uint>(p.y);
+    const vec3 tmp_6 = sample_(s);
+#line 15 "tests/emit/shaders/side_effects.glsl"
+    const vec3 tmp_7 = tmp_6 + sample_(s) * 2.0f;
+#line 15 "tests/emit/shaders/side_effects.glsl"
+    const vec3 tmp_8 = sample_(s);
+#line 15 "tests/emit/shaders/side_effects.glsl"
+    vec3 v = tmp_7 - cross(tmp_8, sample_(s));
+    vec2 w = p;
+    Float& place_3 = at(w, next() & 1);
+#line 17 "tests/emit/shaders/side_effects.glsl"
+    place_3 *= 3.0f;
+    int n = 5;
+#line 18 "tests/emit/shaders/side_effects.glsl"
+    Float sum = 0.0f;
+    while (more(n)) {
+#line 19 "tests/emit/shaders/side_effects.glsl"
+      sum += Float(n);
+#line 19 "tests/emit/shaders/side_effects.glsl"
+    }
+    do {
+#line 20 "tests/emit/shaders/side_effects.glsl"
+      sum *= 1.5f;
+#line 20 "tests/emit/shaders/side_effects.glsl"
+    } while (more(n) || next() < 8);
+    for (int i = next(); more(i); sum += Float(i), next()) {
+#line 21 "tests/emit/shaders/side_effects.glsl"
+      if (sum > 100.0f) {
+#line 21 "tests/emit/shaders/side_effects.glsl"
+        break;
+#line 21 "tests/emit/shaders/side_effects.glsl"
+      }
+#line 21 "tests/emit/shaders/side_effects.glsl"
+    }
+    mat2 m = mat2(1.0f, 0.0f, 0.0f, 1.0f);
+#line 22 "tests/emit/shaders/side_effects.glsl"
+    vec2& place_4 = at(m, next() & 1);
+#line 22 "tests/emit/shaders/side_effects.glsl"
+    place_4 += vec2(sum, Float(k));
+    color = vec4(t + list[0] * 0.5f, u + v.x, v.y + w.x + m[0].y, sum + w.y * 0.125f + Float(k) + m[1].x);
+#line 23 "tests/emit/shaders/side_effects.glsl"
+  }
+#line 141 "twin.cpp"
+
+  void main() {
+    vec4 shadertoy_color = vec4(0.0f);
+    mainImage(shadertoy_color, gl_FragCoord.xy());
+    shadertoy_out_color = shadertoy_color;
+  }
+
+};
+
+}  // namespace
+}  // namespace shadertwin::glsl
+
+SHADERTWIN_EXPORT(shadertoy_out_color)

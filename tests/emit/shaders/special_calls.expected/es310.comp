@@ -1,0 +1,55 @@
+#version 310 es
+precision highp float; precision highp int;
+precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
+#define SHADER_TOY 
+uniform vec3 iResolution;
+uniform float iTime;
+uniform float iTimeDelta;
+uniform int iFrame;
+uniform vec4 iDate;
+uniform vec4 iMouse;
+uniform float iSampleRate;
+uniform vec4 iMouseButton;
+uniform mat4 iViewMatrix;
+uniform vec3 iChannelResolution[10];
+uniform sampler2D iChannel0;
+uniform sampler2D iChannel1;
+uniform sampler2D iChannel2;
+uniform sampler2D iChannel3;
+uniform sampler2D iChannel4;
+uniform sampler2D iChannel5;
+uniform sampler2D iChannel6;
+uniform sampler2D iChannel7;
+uniform sampler2D iChannel8;
+uniform sampler2D iChannel9;
+uniform sampler2D iKeyboard;
+#define texture2D texture
+#define textureCube texture
+#define texture2DProj textureProj
+#define texture2DLodEXT textureLod
+#define texture2DProjLodEXT textureProjLod
+#define textureCubeLodEXT textureLod
+#define texture2DGradEXT textureGrad
+#define texture2DProjGradEXT textureProjGrad
+#define textureCubeGradEXT textureGrad
+#define iGlobalTime iTime
+#define iGlobalFrame iFrame
+#define varying in
+#define gl_FragColor shadertoy_out_color
+#define gl_FragDepthEXT gl_FragDepth
+#define GLSL_FRAGCOLOR gl_FragColor
+layout(local_size_x = 8, local_size_y = 8) in; layout(rgba32f, binding = 7) writeonly uniform highp image2D shadertwin_target; uniform ivec2 shadertwin_origin; vec4 shadertwin_frag_coord; vec4 shadertoy_out_color;
+
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+vec2 uv = p / iResolution . yx ;
+float x = sqrt ( p . x / 7.0 ) - p . y / iResolution . x , y = p . y / iResolution . y ;
+color = vec4 ( mix ( x , y , 0.3 ) , mix ( x , 1.0 , y ) , mix ( vec2 ( x , y ) , uv , 0.7 ) . y , mix ( uv , vec2 ( y , x ) , x ) . x ) ;
+if ( p . y > 3.0 ) color = vec4 ( pow ( y , 2.0 ) , pow ( y + x , 4.0 ) , pow ( 2.0 , x ) , pow ( uv , vec2 ( 2.0 ) ) . y ) ;
+if ( p . y > 6.0 ) color = vec4 ( min ( 0.0 , - x * 0.0 ) , max ( vec2 ( 0.5 ) , uv ) . x , pow ( y , 1.0 ) , pow ( abs ( x ) , 1.3 ) ) ;
+}
+void shadertwin_main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , shadertwin_frag_coord . xy ) ; shadertoy_out_color = shadertoy_color ; }
+void main() { ivec2 shadertwin_pixel = ivec2(gl_GlobalInvocationID.xy) + shadertwin_origin;
+if (any(greaterThanEqual(shadertwin_pixel, ivec2(iResolution.xy)))) return;
+shadertwin_frag_coord = vec4(vec2(shadertwin_pixel) + 0.5, 0.5, 1.0);
+shadertoy_out_color = vec4(0.0); shadertwin_main();
+imageStore(shadertwin_target, shadertwin_pixel, shadertoy_out_color); }

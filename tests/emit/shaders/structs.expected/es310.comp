@@ -1,0 +1,68 @@
+#version 310 es
+precision highp float; precision highp int;
+precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
+#define SHADER_TOY 
+uniform vec3 iResolution;
+uniform float iTime;
+uniform float iTimeDelta;
+uniform int iFrame;
+uniform vec4 iDate;
+uniform vec4 iMouse;
+uniform float iSampleRate;
+uniform vec4 iMouseButton;
+uniform mat4 iViewMatrix;
+uniform vec3 iChannelResolution[10];
+uniform sampler2D iChannel0;
+uniform sampler2D iChannel1;
+uniform sampler2D iChannel2;
+uniform sampler2D iChannel3;
+uniform sampler2D iChannel4;
+uniform sampler2D iChannel5;
+uniform sampler2D iChannel6;
+uniform sampler2D iChannel7;
+uniform sampler2D iChannel8;
+uniform sampler2D iChannel9;
+uniform sampler2D iKeyboard;
+#define texture2D texture
+#define textureCube texture
+#define texture2DProj textureProj
+#define texture2DLodEXT textureLod
+#define texture2DProjLodEXT textureProjLod
+#define textureCubeLodEXT textureLod
+#define texture2DGradEXT textureGrad
+#define texture2DProjGradEXT textureProjGrad
+#define textureCubeGradEXT textureGrad
+#define iGlobalTime iTime
+#define iGlobalFrame iFrame
+#define varying in
+#define gl_FragColor shadertoy_out_color
+#define gl_FragDepthEXT gl_FragDepth
+#define GLSL_FRAGCOLOR gl_FragColor
+layout(local_size_x = 8, local_size_y = 8) in; layout(rgba32f, binding = 7) writeonly uniform highp image2D shadertwin_target; uniform ivec2 shadertwin_origin; vec4 shadertwin_frag_coord; vec4 shadertoy_out_color;
+
+struct Inner { vec2 a ; float b [ 2 ] ; } ;
+struct Outer { Inner inner ; mat2 m ; int n ; bool flag ; } ;
+Outer make_outer ( float x ) { return Outer ( Inner ( vec2 ( x , 2.0 * x ) , float [ 2 ] ( x * 5.0 , x * 3.0 ) ) , mat2 ( x , 0.0 , 0.0 , x ) , int ( x * 10.0 ) , x > 0.5 ) ; }
+void change ( inout Outer o , Inner from ) { o . inner = from ; o . inner . b [ 1 ] += 1.0 ; o . n ++ ; }
+Inner swapped ( Inner i ) { i . a = i . a . yx ; float t = i . b [ 0 ] ; i . b [ 0 ] = i . b [ 1 ] ; i . b [ 1 ] = t ; return i ; }
+struct Padded { uint a ; mat4 m ; float b [ 4 ] ; bvec4 c ; } ;
+Padded padded = Padded ( 31u , mat4 ( 10 , - 1.5 , 7.5 , 1 , - 1.5 , 0.5 , 10 , 7.5 , 1 , 1 , 1 , 2 , - 1.5 , 2 , - 1.5 , 1 ) , float [ ] ( 2.0 , 1.0 , 3.0 , 2.0 ) , bvec4 ( true ) ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+Outer o = make_outer ( p . x / iResolution . x ) ;
+Outer copy = o ;
+change ( copy , swapped ( o . inner ) ) ;
+Outer list [ 3 ] = Outer[3](Outer(Inner(vec2(0), float[2](0.0, 0.0)), mat2(0), 0, false), Outer(Inner(vec2(0), float[2](0.0, 0.0)), mat2(0), 0, false), Outer(Inner(vec2(0), float[2](0.0, 0.0)), mat2(0), 0, false)) ;
+list [ 0 ] = o ; list [ 1 ] = copy ; list [ 2 ] = o ;
+list [ 2 ] . inner . a . x = 7.0 ;
+bool same = o == list [ 0 ] , different = o != copy ;
+Inner empty = Inner ( vec2 ( 0.0 ) , float [ 2 ] ( 0.0 , 0.0 ) ) ;
+color = vec4 ( copy . inner . a . x + list [ 2 ] . inner . a . x , copy . inner . b [ 1 ] , float ( copy . n ) + ( same ? 0.25 : 0.0 ) ,
+( different ? 1.0 : 0.0 ) + ( empty == o . inner ? 2.0 : 0.0 ) + list [ 1 ] . m [ 1 ] [ 1 ] ) ;
+if ( p . y > 6.0 ) color . x = padded . m [ 1 ] [ 0 ] ;
+}
+void shadertwin_main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , shadertwin_frag_coord . xy ) ; shadertoy_out_color = shadertoy_color ; }
+void main() { ivec2 shadertwin_pixel = ivec2(gl_GlobalInvocationID.xy) + shadertwin_origin;
+if (any(greaterThanEqual(shadertwin_pixel, ivec2(iResolution.xy)))) return;
+shadertwin_frag_coord = vec4(vec2(shadertwin_pixel) + 0.5, 0.5, 1.0);
+shadertoy_out_color = vec4(0.0); shadertwin_main();
+imageStore(shadertwin_target, shadertwin_pixel, shadertoy_out_color); }

@@ -1,0 +1,66 @@
+#version 310 es
+precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
+precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
+#define SHADER_TOY 
+uniform vec3 iResolution;
+uniform float iTime;
+uniform float iTimeDelta;
+uniform int iFrame;
+uniform vec4 iDate;
+uniform vec4 iMouse;
+uniform float iSampleRate;
+uniform vec4 iMouseButton;
+uniform mat4 iViewMatrix;
+uniform vec3 iChannelResolution[10];
+uniform sampler2D iChannel0;
+uniform sampler2D iChannel1;
+uniform sampler2D iChannel2;
+uniform sampler2D iChannel3;
+uniform sampler2D iChannel4;
+uniform sampler2D iChannel5;
+uniform sampler2D iChannel6;
+uniform sampler2D iChannel7;
+uniform sampler2D iChannel8;
+uniform sampler2D iChannel9;
+uniform sampler2D iKeyboard;
+#define texture2D texture
+#define textureCube texture
+#define texture2DProj textureProj
+#define texture2DLodEXT textureLod
+#define texture2DProjLodEXT textureProjLod
+#define textureCubeLodEXT textureLod
+#define texture2DGradEXT textureGrad
+#define texture2DProjGradEXT textureProjGrad
+#define textureCubeGradEXT textureGrad
+#define iGlobalTime iTime
+#define iGlobalFrame iFrame
+#define varying in
+#define gl_FragColor shadertoy_out_color
+#define gl_FragDepthEXT gl_FragDepth
+#define GLSL_FRAGCOLOR gl_FragColor
+layout(local_size_x = 8, local_size_y = 8) in; layout(rgba32f, binding = 7) writeonly uniform highp image2D shadertwin_target; uniform ivec2 shadertwin_origin; vec4 shadertwin_frag_coord; vec4 shadertoy_out_color;
+
+
+
+
+
+vec4 look ( sampler2D s , vec2 uv ) { return texture ( s , uv ) + texelFetch ( s , ivec2 ( uv * 3.0 ) , 0 ) ; }
+float size ( in sampler2D s , int i ) { return float ( textureSize ( s , 0 ) [shadertwin_at( i , 1)] ) ; }
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+vec2 uv = p / iResolution . xy ;
+int k = int ( p . y ) % 8 ;
+color = vec4 ( size ( iChannel0 , 0 ) , size ( iChannel0 , 1 ) , iChannelResolution [ 0 ] . xy ) ;
+if ( k == 0 ) color = look ( iChannel0 , uv * 2.0 + 0.01 ) ;
+if ( k == 1 ) color = textureLod ( iChannel0 , - uv , 0.0 ) ;
+if ( k == 2 ) color = textureGrad ( iChannel0 , uv . yx , vec2 ( 0.01 ) , vec2 ( 0.0 ) ) ;
+if ( k == 3 ) color = textureOffset ( iChannel0 , uv , ivec2 ( 1 , - 2 ) ) + texelFetchOffset ( iChannel0 , ivec2 ( p ) , 0 , ivec2 ( - 1 , 1 ) ) ;
+if ( k == 4 ) color = textureProj ( iChannel0 , vec3 ( p , 20.0 ) ) + textureProj ( iChannel0 , vec4 ( p , 1.0 , 16.0 ) ) ;
+if ( k == 5 ) color = texture ( iChannel0 , uv , 1.0 ) + textureLodOffset ( iChannel0 , uv , 0.0 , ivec2 ( 2 ) ) ;
+if ( k == 6 ) color = textureProjLod ( iChannel0 , vec3 ( p , 8.0 ) , 0.0 ) + textureGradOffset ( iChannel0 , uv , vec2 ( 0.0 ) , vec2 ( 0.0 ) , ivec2 ( - 1 ) ) ;
+}
+void shadertwin_main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , shadertwin_frag_coord . xy ) ; shadertoy_out_color = shadertoy_color ; }
+void main() { ivec2 shadertwin_pixel = ivec2(gl_GlobalInvocationID.xy) + shadertwin_origin;
+if (any(greaterThanEqual(shadertwin_pixel, ivec2(iResolution.xy)))) return;
+shadertwin_frag_coord = vec4(vec2(shadertwin_pixel) + 0.5, 0.5, 1.0);
+shadertoy_out_color = vec4(0.0); shadertwin_main();
+imageStore(shadertwin_target, shadertwin_pixel, shadertoy_out_color); }

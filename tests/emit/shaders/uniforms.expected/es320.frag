@@ -1,0 +1,52 @@
+#version 320 es
+precision highp float ; precision highp int ;
+precision highp sampler2D ; precision highp samplerCube ; precision highp sampler3D ;
+
+uniform vec3 iResolution ;
+uniform float iTime ;
+uniform float iTimeDelta ;
+uniform int iFrame ;
+uniform vec4 iDate ;
+uniform vec4 iMouse ;
+uniform float iSampleRate ;
+uniform vec4 iMouseButton ;
+uniform mat4 iViewMatrix ;
+uniform vec3 iChannelResolution [ 10 ] ;
+uniform sampler2D iChannel0 ;
+uniform sampler2D iChannel1 ;
+uniform sampler2D iChannel2 ;
+uniform sampler2D iChannel3 ;
+uniform sampler2D iChannel4 ;
+uniform sampler2D iChannel5 ;
+uniform sampler2D iChannel6 ;
+uniform sampler2D iChannel7 ;
+uniform sampler2D iChannel8 ;
+uniform sampler2D iChannel9 ;
+uniform sampler2D iKeyboard ;
+uniform float iFrameRate ;
+uniform float iChannelTime [ 4 ] ;
+
+
+
+
+
+
+
+
+
+
+
+
+
+
+
+layout(location = 0) out vec4 shadertoy_out_color;
+
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+precise int k = int ( p . x ) % 4 ;
+color = vec4 ( iResolution . x , iResolution . y , iResolution . z , iTime ) ;
+if ( (shadertwin_test = (k == 1)) ) color = vec4 ( iTimeDelta , float ( iFrame ) , iFrameRate , iSampleRate ) ;
+if ( (shadertwin_test = (k == 2)) ) color = iDate + iMouse ;
+if ( (shadertwin_test = (k == 3)) ) color = vec4 ( iChannelResolution [ 0 ] . xy , iChannelTime [ 1 ] , gl_FragCoord . z + gl_FragCoord . w ) ;
+}
+void main ( ) { precise bool shadertwin_test; precise vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

@@ -1,0 +1,75 @@
+#include "reference/twin/packet_invocation.h"
+
+namespace shadertwin::glsl::packet {
+namespace {
+
+struct Shader : Invocation {
+  uniform::vec3 iResolution{};
+  float iTime{};
+  float iTimeDelta{};
+  int iFrame{};
+  uniform::vec4 iDate{};
+  uniform::vec4 iMouse{};
+  float iSampleRate{};
+  array<uniform::vec3, 10> iChannelResolution{};
+  float iFrameRate{};
+  array<float, 4> iChannelTime{};
+  vec4 shadertoy_out_color{};
+
+  void initialise(Bool active) {
+    unwritten(active, shadertoy_out_color);
+  }
+  template <class Bind>
+  void bind_uniforms(Bind&& bind) {
+    bind("iResolution", iResolution);
+    bind("iTime", iTime);
+    bind("iTimeDelta", iTimeDelta);
+    bind("iFrame", iFrame);
+    bind("iDate", iDate);
+    bind("iMouse", iMouse);
+    bind("iSampleRate", iSampleRate);
+    bind("iChannelResolution", iChannelResolution);
+    bind("iFrameRate", iFrameRate);
+    bind("iChannelTime", iChannelTime);
+  }
+  static constexpr bool uses_derivatives = false;
+  static constexpr bool uses_implicit_lod = false;
+  static constexpr bool uses_stop = false;
+
+#line 2 "tests/emit/shaders/uniforms.glsl"
+  void mainImage(Bool active, vec4& color, vec2 p) {
+#line 2 "tests/emit/shaders/uniforms.glsl"
+    set__(active, color, vec4(0.0f));
+    Int k = make<Int>(p.x) % 4;
+    set__(active, color, vec4(uniform::vec4(iResolution.x, iResolution.y, iResolution.z, iTime)));
+    if (Bool active_2 = active && (k == 1); some__(active_2)) {
+#line 5 "tests/emit/shaders/uniforms.glsl"
+      set__(active_2, color, vec4(uniform::vec4(iTimeDelta, float(iFrame), iFrameRate, iSampleRate)));
+#line 5 "tests/emit/shaders/uniforms.glsl"
+    }
+    if (Bool active_2 = active && (k == 2); some__(active_2)) {
+#line 6 "tests/emit/shaders/uniforms.glsl"
+      set__(active_2, color, vec4(iDate + iMouse));
+#line 6 "tests/emit/shaders/uniforms.glsl"
+    }
+    if (Bool active_2 = active && (k == 3); some__(active_2)) {
+#line 7 "tests/emit/shaders/uniforms.glsl"
+      set__(active_2, color, vec4(iChannelResolution[0].xy(), iChannelTime[1], gl_FragCoord.z + gl_FragCoord.w));
+#line 7 "tests/emit/shaders/uniforms.glsl"
+    }
+#line 7 "tests/emit/shaders/uniforms.glsl"
+  }
+#line 63 "twin.cpp"
+
+  void main(Bool active) {
+    vec4 shadertoy_color = vec4(0.0f);
+    mainImage(active, shadertoy_color, gl_FragCoord.xy());
+    set__(active, shadertoy_out_color, shadertoy_color);
+  }
+
+};
+
+}  // namespace
+}  // namespace shadertwin::glsl::packet
+
+SHADERTWIN_EXPORT_PACKETS(shadertoy_out_color)

@@ -1,0 +1,75 @@
+#include "reference/twin/invocation.h"
+
+namespace shadertwin::glsl {
+namespace {
+
+struct Shader : Invocation {
+  vec3 iResolution{};
+  Float iTime{};
+  Float iTimeDelta{};
+  int iFrame{};
+  vec4 iDate{};
+  vec4 iMouse{};
+  Float iSampleRate{};
+  array<vec3, 10> iChannelResolution{};
+  Float iFrameRate{};
+  array<Float, 4> iChannelTime{};
+  vec4 shadertoy_out_color{};
+
+  void initialise() {
+    unwritten(shadertoy_out_color);
+  }
+  template <class Bind>
+  void bind_uniforms(Bind&& bind) {
+    bind("iResolution", iResolution);
+    bind("iTime", iTime);
+    bind("iTimeDelta", iTimeDelta);
+    bind("iFrame", iFrame);
+    bind("iDate", iDate);
+    bind("iMouse", iMouse);
+    bind("iSampleRate", iSampleRate);
+    bind("iChannelResolution", iChannelResolution);
+    bind("iFrameRate", iFrameRate);
+    bind("iChannelTime", iChannelTime);
+  }
+  static constexpr bool uses_derivatives = false;
+  static constexpr bool uses_implicit_lod = false;
+  static constexpr bool uses_stop = false;
+
+#line 2 "tests/emit/shaders/uniforms.glsl"
+  void mainImage(vec4& color, vec2 p) {
+#line 2 "tests/emit/shaders/uniforms.glsl"
+    color = vec4(0.0f);
+    int k = make<int>(p.x) % 4;
+    color = vec4(iResolution.x, iResolution.y, iResolution.z, iTime);
+    if (k == 1) {
+#line 5 "tests/emit/shaders/uniforms.glsl"
+      color = vec4(iTimeDelta, Float(iFrame), iFrameRate, iSampleRate);
+#line 5 "tests/emit/shaders/uniforms.glsl"
+    }
+    if (k == 2) {
+#line 6 "tests/emit/shaders/uniforms.glsl"
+      color = iDate + iMouse;
+#line 6 "tests/emit/shaders/uniforms.glsl"
+    }
+    if (k == 3) {
+#line 7 "tests/emit/shaders/uniforms.glsl"
+      color = vec4(iChannelResolution[0].xy(), iChannelTime[1], gl_FragCoord.z + gl_FragCoord.w);
+#line 7 "tests/emit/shaders/uniforms.glsl"
+    }
+#line 7 "tests/emit/shaders/uniforms.glsl"
+  }
+#line 63 "twin.cpp"
+
+  void main() {
+    vec4 shadertoy_color = vec4(0.0f);
+    mainImage(shadertoy_color, gl_FragCoord.xy());
+    shadertoy_out_color = shadertoy_color;
+  }
+
+};
+
+}  // namespace
+}  // namespace shadertwin::glsl
+
+SHADERTWIN_EXPORT(shadertoy_out_color)

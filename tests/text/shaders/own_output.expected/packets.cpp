@@ -1,0 +1,34 @@
+#include "reference/twin/packet_invocation.h"
+
+namespace shadertwin::glsl::packet {
+namespace {
+
+struct Shader : Invocation {
+  uniform::vec3 iResolution{};
+  vec4 color{};
+
+  void initialise(Bool active) {
+    unwritten(active, color);
+  }
+  template <class Bind>
+  void bind_uniforms(Bind&& bind) {
+    bind("iResolution", iResolution);
+  }
+  static constexpr bool uses_derivatives = false;
+  static constexpr bool uses_implicit_lod = false;
+  static constexpr bool uses_stop = false;
+
+#line 3 "tests/text/shaders/own_output.glsl"
+  void main(Bool active) {
+#line 3 "tests/text/shaders/own_output.glsl"
+    set__(active, color, vec4(gl_FragCoord.xy() / vec2(iResolution.xy()), 0.0f, 1.0f));
+#line 3 "tests/text/shaders/own_output.glsl"
+  }
+#line 28 "twin.cpp"
+
+};
+
+}  // namespace
+}  // namespace shadertwin::glsl::packet
+
+SHADERTWIN_EXPORT_PACKETS(color)

@@ -1,0 +1,34 @@
+#include "reference/twin/invocation.h"
+
+namespace shadertwin::glsl {
+namespace {
+
+struct Shader : Invocation {
+  vec3 iResolution{};
+  vec4 color{};
+
+  void initialise() {
+    unwritten(color);
+  }
+  template <class Bind>
+  void bind_uniforms(Bind&& bind) {
+    bind("iResolution", iResolution);
+  }
+  static constexpr bool uses_derivatives = false;
+  static constexpr bool uses_implicit_lod = false;
+  static constexpr bool uses_stop = false;
+
+#line 3 "tests/text/shaders/own_output.glsl"
+  void main() {
+#line 3 "tests/text/shaders/own_output.glsl"
+    color = vec4(gl_FragCoord.xy() / iResolution.xy(), 0.0f, 1.0f);
+#line 3 "tests/text/shaders/own_output.glsl"
+  }
+#line 28 "twin.cpp"
+
+};
+
+}  // namespace
+}  // namespace shadertwin::glsl
+
+SHADERTWIN_EXPORT(color)

@@ -1,0 +1,38 @@
+#version 310 es
+precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
+precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
+#define HW_PERFORMANCE 1
+uniform vec3 iResolution;
+uniform float iTime;
+uniform float iTimeDelta;
+uniform int iFrame;
+uniform vec4 iDate;
+uniform vec4 iMouse;
+uniform float iSampleRate;
+uniform float iFrameRate;
+uniform float iChannelTime[4];
+uniform vec3 iChannelResolution[4];
+uniform sampler2D iChannel0;
+uniform sampler2D iChannel1;
+uniform sampler2D iChannel2;
+uniform sampler2D iChannel3;
+layout(local_size_x = 8, local_size_y = 8) in; layout(rgba32f, binding = 7) writeonly uniform highp image2D shadertwin_target; uniform ivec2 shadertwin_origin; vec4 shadertwin_frag_coord; vec4 shadertoy_out_color;
+int shadertwin_failed = -1; void st_assert(bool condition, int kind) { if (!condition) shadertwin_failed = kind; } void st_assert(bool condition) { st_assert(condition, 0); }
+void mainImage(out vec4, in vec2);
+void shadertwin_main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, shadertwin_frag_coord.xy); if (shadertwin_failed >= 0) shadertoy_color.rgb = vec3(shadertwin_failed == 0 || shadertwin_failed == 3, shadertwin_failed == 1 || shadertwin_failed == 3, shadertwin_failed == 2); shadertoy_out_color = vec4(shadertoy_color.rgb, 1.0); }
+
+
+float wave ( float t , float hertz ) { return sin ( 6.2831853 * hertz * t ) ; }
+
+void mainImage ( out vec4 c , in vec2 p ) { c = vec4(0); c = vec4 ( 0 ) ;
+float levels [ 3 ] = float[3](0.0, 0.0, 0.0) ;
+levels [shadertwin_at(( int ( p . x ) % 3 ), 2)] = texture ( iChannel0 , p / iResolution . xy ) . x ;
+st_assert ( levels [ 0 ] >= 0.0 ) ;
+c = vec4 ( levels [ 0 ] , levels [ 1 ] , iChannelResolution [ 0 ] . xy ) ;
+}
+void mainVR ( out vec4 c , in vec2 p , in vec3 origin , in vec3 direction ) { c = vec4(0); c = vec4 ( 0 ) ; c = vec4 ( direction , 1.0 ) ; }
+void main() { ivec2 shadertwin_pixel = ivec2(gl_GlobalInvocationID.xy) + shadertwin_origin;
+if (any(greaterThanEqual(shadertwin_pixel, ivec2(iResolution.xy)))) return;
+shadertwin_frag_coord = vec4(vec2(shadertwin_pixel) + 0.5, 0.5, 1.0);
+shadertoy_out_color = vec4(0.0); shadertwin_main();
+imageStore(shadertwin_target, shadertwin_pixel, shadertoy_out_color); }

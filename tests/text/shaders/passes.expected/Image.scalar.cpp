@@ -1,0 +1,83 @@
+#include "reference/twin/invocation.h"
+
+namespace shadertwin::glsl {
+namespace {
+
+struct Shader : Invocation {
+  vec3 iResolution{};
+  array<vec3, 4> iChannelResolution{};
+  sampler2D iChannel0{};
+  vec4 shadertoy_out_color{};
+  int shadertwin_failed{};
+
+  void initialise() {
+    unwritten(shadertoy_out_color);
+    shadertwin_failed = -1;
+  }
+  template <class Bind>
+  void bind_uniforms(Bind&& bind) {
+    bind("iResolution", iResolution);
+    bind("iChannelResolution", iChannelResolution);
+    bind("iChannel0", iChannel0);
+  }
+  static constexpr bool uses_derivatives = false;
+  static constexpr bool uses_implicit_lod = true;
+  static constexpr bool uses_stop = false;
+
+  void st_assert(bool condition, int kind) {
+    if (!condition) {
+      shadertwin_failed = kind;
+    }
+  }
+
+  void st_assert(bool condition) {
+    st_assert(condition, 0);
+  }
+
+  void main() {
+    vec4 shadertoy_color = vec4(0.0f);
+    mainImage(shadertoy_color, gl_FragCoord.xy());
+    if (shadertwin_failed >= 0) {
+      swizzle<0, 1, 2>(shadertoy_color) = vec3(Float(shadertwin_failed == 0 || shadertwin_failed == 3), Float(shadertwin_failed == 1 || shadertwin_failed == 3), Float(shadertwin_failed == 2));
+    }
+    shadertoy_out_color = vec4(shadertoy_color.xyz(), 1.0f);
+  }
+
+#line 3 "tests/text/shaders/passes/common.glsl"
+  Float wave(Float t, Float hertz) {
+#line 3 "tests/text/shaders/passes/common.glsl"
+    return sin(6.2831855f * hertz * t);
+#line 3 "tests/text/shaders/passes/common.glsl"
+  }
+#line 53 "twin.cpp"
+
+#line 2 "tests/text/shaders/passes/image.glsl"
+  void mainImage(vec4& c, vec2 p) {
+#line 2 "tests/text/shaders/passes/image.glsl"
+    c = vec4(0.0f);
+#line 4 "tests/text/shaders/passes/image.glsl"
+    array<Float, 3> levels;
+#line 4 "tests/text/shaders/passes/image.glsl"
+    levels[make<int>(p.x) % 3] = texture(iChannel0, p / iResolution.xy()).x;
+    st_assert(levels[0] >= 0.0f);
+    c = vec4(levels[0], levels[1], iChannelResolution[0].xy());
+#line 6 "tests/text/shaders/passes/image.glsl"
+  }
+#line 67 "twin.cpp"
+
+#line 8 "tests/text/shaders/passes/image.glsl"
+  void mainVR(vec4& c, vec2 p, vec3 origin, vec3 direction) {
+#line 8 "tests/text/shaders/passes/image.glsl"
+    c = vec4(0.0f);
+#line 8 "tests/text/shaders/passes/image.glsl"
+    c = vec4(direction, 1.0f);
+#line 8 "tests/text/shaders/passes/image.glsl"
+  }
+#line 77 "twin.cpp"
+
+};
+
+}  // namespace
+}  // namespace shadertwin::glsl
+
+SHADERTWIN_EXPORT(shadertoy_out_color)

@@ -1,0 +1,1 @@
+runs as fragments: the pass is not a picture
