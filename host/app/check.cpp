@@ -7,6 +7,7 @@
 #include "host/app/options.h"
 #include "host/app/report.h"
 #include "host/base/error.h"
+#include "host/text/load.h"
 #include "reference/check/finding.h"
 #include "reference/check/rules.h"
 #include "reference/check/run.h"
@@ -20,7 +21,7 @@ using check::Finding;
 // `out` parameters are left as the shader leaves them: zero would hide what is to be found.
 Project load_unchanged(const PlayOptions& options) {
   LoadOptions load_options = make_load_options(options);
-  load_options.zero_outputs = false;
+  load_options.undefined = Undefined::raw;
   Project project = load_project(options.shader, load_options);
   if (!options.quiet)
     for (const std::string& warning : project.warnings) std::fprintf(stderr, "%s\n", warning.c_str());

@@ -5,8 +5,7 @@
 #include <cstdio>
 
 #include "host/base/error.h"
-#include "reference/emit/emit_defined.h"
-#include "reference/emit/emit_precise.h"
+#include "host/text/load.h"
 
 namespace shadertwin::app {
 
@@ -195,7 +194,8 @@ LoadOptions make_load_options(const PlayOptions& o) {
   load_options.media = o.media;
   load_options.muted = o.mute;
   load_options.vscode_quirks = o.vscode_quirks;
-  load_options.zero_outputs = o.init == "zero";
+  load_options.undefined = o.init == "zero" ? Undefined::zero : Undefined::raw;
+  load_options.precise = o.precise;
   load_options.vr = o.vr;
   if (!o.dialect.empty()) load_options.dialect = o.dialect == "vscode" ? Dialect::vscode : Dialect::shadertoy;
   auto defines = o.defines;
@@ -232,13 +232,7 @@ Project load(const PlayOptions& o) {
   Project project = load_project(o.shader, make_load_options(o));
   if (!o.quiet)
     for (const std::string& warning : project.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
-  if (!o.precise) return project;
-  return emit_precise(o.init == "zero" ? emit_defined(project) : project);
-}
-
-std::function<Project(const Project&)> rewrite_for_gl(const PlayOptions& o) {
-  if (o.init != "zero" || o.precise) return {};
-  return emit_defined;
+  return project;
 }
 
 }  // namespace shadertwin::app

@@ -62,9 +62,6 @@ LoadOptions make_load_options(const PlayOptions& options);
 // Index of the pass that --pass names, or of the last one.
 int chosen_pass(const Project& project, const PlayOptions& options);
 
-// What an OpenGL player compiles in place of the project's texts, by --init; none if they stay as they are.
-std::function<Project(const Project&)> rewrite_for_gl(const PlayOptions& options);
-
 // Loads the project and prints its warnings unless --quiet.
 Project load(const PlayOptions& options);
 

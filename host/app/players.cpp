@@ -10,11 +10,10 @@ namespace shadertwin::app {
 
 namespace {
 
-std::unique_ptr<Player> open_gl(const std::string& on, const Project& project, const PlayOptions& play) {
+std::unique_ptr<Player> open_gl(const std::string& on, const Project& project) {
   const std::string device = on.substr(0, on.find('/'));
   gl::PlayerOptions options;
   options.dispatch = dispatch_of(on);
-  options.rewrite = rewrite_for_gl(play);
   return gl::GlPlayer::create(gl::open_context(device), project, options);
 }
 
@@ -51,7 +50,7 @@ std::unique_ptr<Player> open_player(const std::string& on, const Project& projec
   const bool twin = device == "cpu";
   if (!twin && (!options.tile.empty() || options.timeout > 0.0))
     throw Error(ExitStatus::usage, "--tile and --timeout are for --on cpu only");
-  auto player = twin ? open_twin(how, project, options) : open_gl(on, project, options);
+  auto player = twin ? open_twin(how, project, options) : open_gl(on, project);
   if (!options.quiet)
     for (const std::string& warning : player->warnings())
       if (told == nullptr || told->insert(warning).second) std::fprintf(stderr, "%s\n", warning.c_str());

@@ -44,7 +44,6 @@ void run(const ViewCommand& o) {
   options.output = o.output;
   options.options_text = options_text(o);
   options.quiet = o.quiet;
-  options.player.rewrite = rewrite_for_gl(o);
   if (o.on == "auto" || o.on.starts_with("auto/"))
     options.player.dispatch = dispatch_of(o.on);
   else

@@ -5,10 +5,10 @@
 
 #include "host/base/error.h"
 #include "host/export/export.h"
-#include "host/project/keyboard_text.h"
-#include "host/project/tokens.h"
-#include "host/project/wrapper.h"
+#include "host/language/tokens.h"
 #include "host/project/write_json.h"
+#include "host/text/host_text.h"
+#include "host/text/keyboard_text.h"
 
 namespace shadertwin {
 

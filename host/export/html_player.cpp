@@ -9,6 +9,7 @@
 #include "host/image/image.h"
 #include "host/player/inputs.h"
 #include "host/player/rounds.h"
+#include "host/text/render.h"
 
 namespace shadertwin {
 
@@ -66,17 +67,15 @@ class Describer {
             {"kind", name_of(pass_kind_names, pass.kind)},
             {"pictures", pictures},
             {"keyboard", pass.keyboard},
-            {"vertex", pass.vertex ? describe(*pass.vertex) : Json()},
-            {"head", pass.source.head},
-            {"body", pass.source.body},
-            {"tail", pass.source.tail},
-            {"lines", runs(pass.source.lines)},
+            {"vertex", pass.vertex ? describe(*pass.vertex, Target::vertex) : Json()},
+            {"source", describe(pass.source, Target::fragment)},
             {"inputs", inputs}};
   }
 
-  static Json describe(const PassSource& source) {
-    return {
-        {"head", source.head}, {"body", source.body}, {"tail", source.tail}, {"lines", runs(source.lines)}};
+  static Json describe(const PassSource& source, Target target) {
+    return {{"text", render(source, target)},
+            {"first_line", first_body_line(source)},
+            {"lines", runs(source.lines)}};
   }
 
   // Consecutive lines of one file: [count, file, first line].

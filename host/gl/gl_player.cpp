@@ -16,7 +16,7 @@
 #include "host/player/inputs.h"
 #include "host/player/rounds.h"
 #include "host/player/uniforms.h"
-#include "host/project/compute_text.h"
+#include "host/text/render.h"
 
 namespace shadertwin::gl {
 
@@ -62,7 +62,6 @@ class GlPlayerImpl final : public GlPlayer {
     vertex_array_ = VertexArrayObject(gl_);
     gl_.BindVertexArray(vertex_array_.name());
     gl_.Disable(GL_DITHER);
-    if (options.rewrite) rewritten_ = options.rewrite(project_);
     passes_.reserve(project_.passes.size());
     for (std::size_t i = 0; i < project_.passes.size(); ++i) {
       const PassKind kind = project_.passes[i].kind;
@@ -70,7 +69,8 @@ class GlPlayerImpl final : public GlPlayer {
                                   rounds_.pictures(i), needs_mipmaps(project_, i)));
       // An error in any pass keeps shadertoy.com from playing any other, the sound among them.
       const bool sound = kind == PassKind::sound;
-      compile(i, sound ? Dispatch::fragment : options.dispatch);
+      compile(i, sound ? Dispatch::fragment : options.dispatch,
+              options.sources(project_, project_.passes[i]));
       if (!sound) bind_inputs(i);
     }
     if (options.timers) timers_.emplace(*context_, passes_.size());
@@ -162,7 +162,8 @@ class GlPlayerImpl final : public GlPlayer {
   }
 
  private:
-  void make_program(std::size_t index, const Pass& pass, Dispatch dispatch) {
+  void make_program(std::size_t index, const PassSource& source, Dispatch dispatch) {
+    const Pass& pass = project_.passes[index];
     PassState& state = passes_[index];
     const DeviceInfo& device = context_->info();
     if (dispatch == Dispatch::automatic)
@@ -173,8 +174,8 @@ class GlPlayerImpl final : public GlPlayer {
       state.compute = device.compute && can_run_as_compute(pass, &why);
       if (!state.compute) warnings_.push_back(pass.name + ": warning: runs as fragments: " + why);
     }
-    state.program =
-        state.compute ? Program::compute(gl_, project_, pass) : Program::fragment(gl_, project_, pass);
+    state.program = state.compute ? Program::compute(gl_, project_, pass, source)
+                                  : Program::fragment(gl_, project_, pass, source);
   }
 
   // Once, for the first such pass.
@@ -185,20 +186,25 @@ class GlPlayerImpl final : public GlPlayer {
                         reason.substr(0, reason.find('\n')));
   }
 
-  void compile(std::size_t index, Dispatch dispatch) {
+  void compile(std::size_t index, Dispatch dispatch, const std::vector<PassSource>& sources) {
     PassState& state = passes_[index];
-    const std::size_t warned = warnings_.size();
-    const Pass& pass = project_.passes[index];
-    try {
-      make_program(index, rewritten_ ? rewritten_->passes[index] : pass, dispatch);
-      if (rewritten_ && rewritten_->passes[index].source.text() == pass.source.text())
-        warn_as_written(pass.name, "the text can't be read for rewriting it, although the driver takes it");
-    } catch (const Error& error) {
-      if (!rewritten_ || error.status() != ExitStatus::shader) throw;
-      warnings_.resize(warned);
-      make_program(index, pass, dispatch);
-      warn_as_written(pass.name, std::string("the driver refuses the rewritten text: ") + error.what());
+    const std::string& name = project_.passes[index].name;
+    std::string refusal;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      const std::size_t warned = warnings_.size();
+      try {
+        make_program(index, sources[i], dispatch);
+        break;
+      } catch (const Error& error) {
+        if (error.status() != ExitStatus::shader || i + 1 == sources.size()) throw;
+        warnings_.resize(warned);
+        refusal = error.what();
+      }
     }
+    if (!refusal.empty())
+      warn_as_written(name, "the driver refuses the rewritten text: " + refusal);
+    else if (project_.undefined == Undefined::zero && !project_.precise && sources.size() == 1)
+      warn_as_written(name, "the text can't be read for rewriting it, although the driver takes it");
     state.uniforms.emplace(gl_, *state.program, project_);
     state.face = state.program->uniform("shadertwin_face");
     state.origin = state.program->uniform("shadertwin_origin");
@@ -343,7 +349,6 @@ class GlPlayerImpl final : public GlPlayer {
   std::unique_ptr<Context> context_;  // before every object that lives in it
   const Functions& gl_;
   Project project_;
-  std::optional<Project> rewritten_;  // to be tried first
   VertexArrayObject vertex_array_;
   ChannelTextures textures_{gl_, project_};
   Rounds rounds_{project_};

@@ -7,6 +7,7 @@
 #include "host/gl/context.h"
 #include "host/player/player.h"
 #include "host/project/project.h"
+#include "host/text/pipeline.h"
 
 namespace shadertwin::gl {
 
@@ -21,9 +22,8 @@ enum class Dispatch {
 struct PlayerOptions {
   Dispatch dispatch = Dispatch::automatic;
   bool timers = false;  // measure every pass on the GPU
-  // Given the project, gives the texts to compile, if not its own: pass i in place of pass i. A text that the
-  // driver refuses, or that was left as it is, falls back to the project's with a warning.
-  std::function<Project(const Project&)> rewrite = {};
+  // What to compile for a pass, in the order in which it is tried. One that comes later means a warning.
+  std::function<std::vector<PassSource>(const Project&, const Pass&)> sources = driver_sources;
 };
 
 class GlPlayer : public Player {

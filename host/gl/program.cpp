@@ -1,30 +1,21 @@
 #include "host/gl/program.h"
 
-#include <string_view>
 #include <utility>
 
 #include "host/base/error.h"
-#include "host/project/compute_text.h"
+#include "host/text/map_log.h"
+#include "host/text/render.h"
 
 namespace shadertwin::gl {
 
 namespace {
 
-constexpr const char* vertex_text = R"(
+// A triangle that covers the target.
+constexpr const char* covering_triangle = R"(
 void main() {
   gl_Position = vec4(vec2((gl_VertexID << 1) & 2, gl_VertexID & 2) * 2.0 - 1.0, 0.0, 1.0);
 }
 )";
-
-constexpr std::string_view usual_version = "#version 300 es";
-
-// Both stages of a program have to name the same version.
-std::string vertex_text_for(const Pass& pass, const std::string& fragment_text) {
-  const std::string first_line = fragment_text.substr(0, fragment_text.find('\n'));
-  const std::string version(first_line.starts_with("#version") ? first_line : usual_version);
-  if (!pass.vertex.has_value()) return version + vertex_text;
-  return version + pass.vertex->text().substr(usual_version.size());
-}
 
 std::string trimmed(std::string log) {
   while (!log.empty() && (log.back() == '\n' || log.back() == '\0' || log.back() == ' ')) log.pop_back();
@@ -63,13 +54,12 @@ class Shader {
   GLuint name_;
 };
 
-void compile(const Shader& shader, const Project& project, const Pass& pass, const PassSource& source,
-             int first_line) {
+void compile(const Shader& shader, const Project& project, const Pass& pass, const PassSource& source) {
   if (shader.compiled()) return;
   const std::string log = shader.log();
   throw Error(ExitStatus::shader, log.empty()
                                       ? pass.name + ": error: the driver refuses the shader without a reason"
-                                      : trimmed(map_log(project, source, log, first_line)));
+                                      : trimmed(map_log(project, source, log)));
 }
 
 void link(const Functions& gl, GLuint program, const Pass& pass) {
@@ -86,17 +76,20 @@ void link(const Functions& gl, GLuint program, const Pass& pass) {
 
 }  // namespace
 
-Program Program::fragment(const Functions& gl, const Project& project, const Pass& pass) {
-  const std::string vertex_source = vertex_text_for(pass, pass.source.text());
-  const Shader vertex(gl, GL_VERTEX_SHADER, vertex_source);
+Program Program::fragment(const Functions& gl, const Project& project, const Pass& pass,
+                          const PassSource& source) {
+  PassSource vertex_source;
+  vertex_source.tail = covering_triangle;
+  if (pass.vertex.has_value()) vertex_source = *pass.vertex;
+  vertex_source.precise = source.precise;  // both stages of a program have to name the same version
+  const Shader vertex(gl, GL_VERTEX_SHADER, render(vertex_source, Target::vertex));
   if (pass.vertex.has_value())
-    compile(vertex, project, pass, *pass.vertex, 1);
+    compile(vertex, project, pass, *pass.vertex);
   else if (!vertex.compiled())
-    throw Error(ExitStatus::device, "this OpenGL does not take `" +
-                                        vertex_source.substr(0, vertex_source.find('\n')) +
-                                        "` shaders: " + vertex.log());
-  const Shader fragment(gl, GL_FRAGMENT_SHADER, pass.source.text());
-  compile(fragment, project, pass, pass.source, 1);
+    throw Error(ExitStatus::device, std::string("this OpenGL does not take GLSL ES ") +
+                                        (source.precise ? "3.20: " : "3.00: ") + vertex.log());
+  const Shader fragment(gl, GL_FRAGMENT_SHADER, render(source));
+  compile(fragment, project, pass, source);
   Program program(gl);
   gl.AttachShader(program.name_, vertex.name());
   gl.AttachShader(program.name_, fragment.name());
@@ -104,9 +97,10 @@ Program Program::fragment(const Functions& gl, const Project& project, const Pas
   return program;
 }
 
-Program Program::compute(const Functions& gl, const Project& project, const Pass& pass) {
-  const Shader shader(gl, GL_COMPUTE_SHADER, compute_text(project, pass, group_size, group_size));
-  compile(shader, project, pass, pass.source, compute_first_line);
+Program Program::compute(const Functions& gl, const Project& project, const Pass& pass,
+                         const PassSource& source) {
+  const Shader shader(gl, GL_COMPUTE_SHADER, render(source, Target::compute));
+  compile(shader, project, pass, source);
   Program program(gl);
   gl.AttachShader(program.name_, shader.name());
   link(gl, program.name_, pass);

@@ -11,11 +11,14 @@ namespace shadertwin::gl {
 // A linked program. Its context must be current when it is destroyed.
 class Program {
  public:
-  // A fragment program over a triangle that covers the target, or over what the pass's own vertex shader
-  // makes of six vertices. Throws Error(shader), every message of the driver mapped to the user's files.
-  static Program fragment(const Functions& gl, const Project& project, const Pass& pass);
+  // `source`: of the pass, as it is to be compiled. A fragment program over a triangle that covers the
+  // target, or over what the pass's own vertex shader makes of six vertices. Throws Error(shader), every
+  // message of the driver mapped to the user's files.
+  static Program fragment(const Functions& gl, const Project& project, const Pass& pass,
+                          const PassSource& source);
   // The same pass as a compute program of 8x8 invocations a group. Throws Error(shader).
-  static Program compute(const Functions& gl, const Project& project, const Pass& pass);
+  static Program compute(const Functions& gl, const Project& project, const Pass& pass,
+                         const PassSource& source);
 
   ~Program();
   Program(Program&& other) noexcept;
@@ -30,8 +33,5 @@ class Program {
   const Functions* gl_;
   GLuint name_;
 };
-
-// Invocations of a compute group along x and y.
-constexpr int group_size = 8;
 
 }  // namespace shadertwin::gl

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "host/base/error.h"
+#include "host/language/tokens.h"
 #include "host/project/project.h"
-#include "host/project/tokens.h"
 
 namespace shadertwin {
 

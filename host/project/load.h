@@ -8,12 +8,12 @@
 namespace shadertwin {
 
 // A single file with the extension's directives: the passes it names are found through its channels.
-Project load_file(const std::filesystem::path& file, const LoadOptions& options);
+Project read_file(const std::filesystem::path& file, const LoadOptions& options);
 
 // A shader as Shadertoy hands it out.
-Project load_json(const std::filesystem::path& file, const LoadOptions& options);
+Project read_json(const std::filesystem::path& file, const LoadOptions& options);
 
 // A folder with a file for each tab.
-Project load_folder(const std::filesystem::path& folder, const LoadOptions& options);
+Project read_folder(const std::filesystem::path& folder, const LoadOptions& options);
 
 }  // namespace shadertwin

@@ -5,7 +5,6 @@
 #include "host/project/load.h"
 #include "host/project/text_file.h"
 #include "host/project/vertex_text.h"
-#include "host/project/wrapper.h"
 
 namespace shadertwin {
 
@@ -18,6 +17,7 @@ class FileLoader {
   FileLoader(fs::path root, const LoadOptions& options)
       : root_(std::move(root)), options_(options), texts_(project_, root_) {
     project_.dialect = options.dialect.value_or(Dialect::vscode);
+    project_.local = true;
   }
 
   Project load() {
@@ -27,14 +27,8 @@ class FileLoader {
     const bool keyboard =
         std::any_of(flags_.begin(), flags_.end(), [](const PassFlags& f) { return f.keyboard; });
     for (std::size_t i = 0; i < project_.passes.size(); ++i) {
-      const bool strict = flags_[static_cast<std::size_t>(order_[i])].strict;
+      project_.passes[i].strict = flags_[static_cast<std::size_t>(order_[i])].strict;
       project_.passes[i].keyboard = keyboard;
-      wrap_pass(project_, project_.passes[i],
-                {.keyboard = keyboard,
-                 .strict = strict,
-                 .local = true,
-                 .zero_outputs = options_.zero_outputs,
-                 .vr = options_.vr});
     }
     return std::move(project_);
   }
@@ -108,7 +102,7 @@ class FileLoader {
 
 }  // namespace
 
-Project load_file(const fs::path& file, const LoadOptions& options) {
+Project read_file(const fs::path& file, const LoadOptions& options) {
   return FileLoader(file, options).load();
 }
 

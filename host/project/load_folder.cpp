@@ -6,7 +6,6 @@
 #include "host/project/tabs_settings.h"
 #include "host/project/text_file.h"
 #include "host/project/vertex_text.h"
-#include "host/project/wrapper.h"
 
 namespace shadertwin {
 
@@ -36,6 +35,7 @@ class FolderLoader {
   FolderLoader(fs::path folder, const LoadOptions& options)
       : folder_(std::move(folder)), options_(options), texts_(project_, folder_ / "image.glsl") {
     project_.dialect = options.dialect.value_or(Dialect::shadertoy);
+    project_.local = project_.dialect == Dialect::vscode;
   }
 
   Project load() {
@@ -57,11 +57,7 @@ class FolderLoader {
         std::any_of(flags_.begin(), flags_.end(), [](const PassFlags& f) { return f.keyboard; });
     for (std::size_t i = 0; i < project_.passes.size(); ++i) {
       project_.passes[i].keyboard = keyboard;
-      wrap_pass(project_, project_.passes[i],
-                {.keyboard = keyboard,
-                 .strict = flags_[i].strict,
-                 .zero_outputs = options_.zero_outputs,
-                 .vr = options_.vr});
+      project_.passes[i].strict = flags_[i].strict;
     }
     return std::move(project_);
   }
@@ -143,7 +139,7 @@ class FolderLoader {
 
 }  // namespace
 
-Project load_folder(const fs::path& folder, const LoadOptions& options) {
+Project read_folder(const fs::path& folder, const LoadOptions& options) {
   return FolderLoader(folder, options).load();
 }
 

@@ -8,7 +8,6 @@
 #include "host/project/load.h"
 #include "host/project/text_file.h"
 #include "host/project/text_loader.h"
-#include "host/project/wrapper.h"
 
 namespace shadertwin {
 
@@ -26,6 +25,7 @@ class JsonLoader {
         media_(options.media.empty() ? fs::absolute(file).parent_path() : options.media),
         text_(read_text(file)) {
     project_.dialect = options.dialect.value_or(Dialect::shadertoy);
+    project_.local = project_.dialect == Dialect::vscode;
     if (!fs::is_directory(media_))
       throw Error(ExitStatus::file, media_.string() + ": error: the media folder is not there");
   }
@@ -186,7 +186,6 @@ class JsonLoader {
     Pass& pass = project_.passes[static_cast<std::size_t>(&parsed - parsed_.data())];
     pass.source.body = body.text();
     pass.source.lines = body.lines();
-    wrap_pass(project_, pass, {.zero_outputs = options_.zero_outputs, .vr = options_.vr});
   }
 
   std::string name_;
@@ -201,7 +200,7 @@ class JsonLoader {
 
 }  // namespace
 
-Project load_json(const fs::path& file, const LoadOptions& options) {
+Project read_json(const fs::path& file, const LoadOptions& options) {
   return JsonLoader(file, options).load();
 }
 

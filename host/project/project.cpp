@@ -8,18 +8,20 @@ namespace shadertwin {
 
 namespace {
 
-Project load_any(const std::filesystem::path& shader, const LoadOptions& options) {
+Project read_any(const std::filesystem::path& shader, const LoadOptions& options) {
   std::error_code problem;
   if (shader.empty()) throw Error(ExitStatus::usage, "no shader is given");
-  if (std::filesystem::is_directory(shader, problem)) return load_folder(shader, options);
-  if (plain_name(shader.extension().string()) == ".json") return load_json(shader, options);
-  return load_file(shader, options);
+  if (std::filesystem::is_directory(shader, problem)) return read_folder(shader, options);
+  if (plain_name(shader.extension().string()) == ".json") return read_json(shader, options);
+  return read_file(shader, options);
 }
 
 }  // namespace
 
-Project load_project(const std::filesystem::path& shader, const LoadOptions& options) {
-  Project project = load_any(shader, options);
+Project read_project(const std::filesystem::path& shader, const LoadOptions& options) {
+  Project project = read_any(shader, options);
+  project.undefined = options.undefined;
+  project.precise = options.precise;
   project.muted = options.muted;
   project.vscode_quirks = options.vscode_quirks && project.dialect == Dialect::vscode;
   return project;

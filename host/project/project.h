@@ -77,15 +77,23 @@ struct SourceLine {
   int line = 0;  // from 1
 };
 
-// The text of a pass as a compiler gets it: head + body + tail. Only the body is the user's, with the knobs
-// of the command line, Common and includes already in it.
+// What the text of a pass is made of: only the body is the user's, with the knobs of the command line, Common
+// and includes already in it. host/text/render.h puts it all together for a device.
 struct PassSource {
-  std::string head;  // #version, precision, uniforms; for shadertoy.com also main()
+  std::string head;  // in front of the body: uniforms, and main() where it comes first
   std::string body;  // one entry of `lines` for every line
-  std::string tail;  // for the extension, main()
+  std::string tail;  // behind the body: main() where it comes last
   std::vector<SourceLine> lines;
+  std::string helpers;      // functions that rewritten code calls, without a line end
+  bool own_output = false;  // the body declares the output
+  bool precise = false;     // for GLSL ES 3.20, with `precise` on what is computed
+};
 
-  std::string text() const { return head + body + tail; }
+// What becomes of that which GLSL leaves undefined: of variables and outputs that nothing wrote, of returns
+// that are missing, of indices that are out of bounds.
+enum class Undefined {
+  zero,  // as in browsers: zero, and indices are clamped
+  raw    // whatever the device has there
 };
 
 struct Pass {
@@ -100,6 +108,7 @@ struct Pass {
   std::optional<PassSource> vertex;
   bool has_vr = false;    // it defines mainVR
   bool keyboard = false;  // the extension's iKeyboard is bound: 256x4, rows held, pressed, toggled, released
+  bool strict = false;    // #StrictCompatibility: main() is the host's even if the user's text has one
 };
 
 enum class UniformType { float1, float2, float3, float4, int1, int2, int3, int4, mat4 };
@@ -128,6 +137,9 @@ struct Project {
   bool vscode_quirks = false;
   bool first_person_controls = false;  // iViewMatrix follows the keys and the mouse
   bool muted = false;                  // music and the microphone give shadertoy.com's preview signal
+  bool local = false;                  // SHADER_TOY is defined: the text was written for a local host
+  Undefined undefined = Undefined::zero;
+  bool precise = false;  // devices compute what the text states, operation by operation
   // Every text that the sources came from, as the user would name it: a path; for a JSON its path, a colon
   // and the pass's name.
   std::vector<std::string> files;
@@ -143,8 +155,8 @@ struct LoadOptions {
   // Where the media are that a JSON names: "/media/a/x.jpg" is <media>/media/a/x.jpg or <media>/x.jpg. Empty:
   // the JSON's own folder. Nothing outside of it is opened.
   std::filesystem::path media = {};
-  // `out` parameters start as zero, as in browsers. Off to find shaders that rely on it.
-  bool zero_outputs = true;
+  Undefined undefined = Undefined::zero;  // Project::undefined
+  bool precise = false;                   // Project::precise
   // Project::vscode_quirks, for a project of the extension's dialect.
   bool vscode_quirks = false;
   // The picture is mainVR() for two eyes side by side. Error(shader) if the shader has none.
@@ -161,7 +173,8 @@ struct LoadOptions {
 // profile
 // (`{"shaders": [...]}`) gives it; of several the first is taken. Media that are not there are a warning and
 // an empty channel.
-Project load_project(const std::filesystem::path& shader, const LoadOptions& options = {});
+// The passes have their own texts, which load_project (host/text/load.h) puts into the host's.
+Project read_project(const std::filesystem::path& shader, const LoadOptions& options);
 
 // Index of the pass that the user calls `name`: as Pass::name, or without case, spaces and underscores
 // ("buffera"). -1 if there is none.
@@ -169,13 +182,5 @@ int find_pass(const Project& project, const std::string& name);
 
 // Index of the sound pass, -1 if there is none.
 int find_sound(const Project& project);
-
-// Turns a compiler's log about `source` into lines `file:line: error: text` that name the user's own files.
-// Knows the forms of Mesa (`0:12(5): error: ...`), NVIDIA (`0(12) : error C0000: ...`), ANGLE and glslang
-// (`ERROR: 0:12: ...`). A line about the head is kept as it is; what lies behind the body (a missing brace is
-// noticed there) is reported on the user's last line. `first_line`: the number that the compiler gave to the
-// first line of head + body + tail.
-std::string map_log(const Project& project, const PassSource& source, const std::string& log,
-                    int first_line = 1);
 
 }  // namespace shadertwin

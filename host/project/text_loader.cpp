@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "host/language/tokens.h"
 #include "host/project/paths.h"
 #include "host/project/text_file.h"
-#include "host/project/tokens.h"
 
 namespace shadertwin {
 

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "host/base/error.h"
-#include "host/project/entry_points.h"
+#include "host/language/entry_points.h"
 #include "host/project/json_text.h"
 
 namespace shadertwin {

@@ -13,6 +13,7 @@
 #include "host/media/loudspeaker.h"
 #include "host/player/recordings.h"
 #include "host/player/sound.h"
+#include "host/text/render.h"
 #include "host/view/window.h"
 
 namespace shadertwin::view {
@@ -37,7 +38,7 @@ std::string sounding_of(const Project& project) {
   std::string text;
   for (const Pass& pass : project.passes) {
     const bool sounds = pass.kind == PassKind::sound;
-    if (sounds) text += pass.source.text();
+    if (sounds) text += render(pass.source);
     for (const Input& input : pass.inputs)
       if (sounds || input.kind == InputKind::music || input.kind == InputKind::video)
         for (const auto& file : input.files) text += '\n' + file.string();

@@ -8,6 +8,7 @@
 
 #include "host/base/error.h"
 #include "host/image/image.h"
+#include "host/text/load.h"
 #include "host/view/capture.h"
 #include "host/view/dashboard.h"
 #include "host/view/keys.h"

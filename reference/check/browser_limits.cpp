@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "host/text/syntax_tree.h"
 #include "reference/check/rules.h"
-#include "reference/emit/syntax_tree.h"
 
 namespace shadertwin::check {
 namespace {

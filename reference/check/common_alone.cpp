@@ -8,9 +8,6 @@ namespace {
 // What shadertoy.com puts in front of Common where it compiles it by itself: nothing that a pass has, but for
 // these two.
 constexpr const char* head =
-    "#version 300 es\n"
-    "precision highp float; precision highp int;\n"
-    "precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;\n"
     "#define HW_PERFORMANCE 1\n"
     "uniform vec4 iDate;\n"
     "uniform float iSampleRate;\n"
@@ -21,6 +18,7 @@ Pass common_of(const Pass& pass) {
   Pass common;
   common.name = "Common";
   common.source.head = head;
+  common.source.own_output = true;
   common.source.tail = "\nvoid main() { }\n";
   const std::size_t count = pass.source.lines.size() - own_lines(pass);
   std::size_t end = 0;

@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "host/text/syntax_tree.h"
 #include "reference/check/rules.h"
-#include "reference/emit/syntax_tree.h"
 
 namespace shadertwin::check {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "host/project/tokens.h"
+#include "host/language/tokens.h"
 #include "reference/check/rules.h"
 
 namespace shadertwin::check {

@@ -13,9 +13,6 @@ using namespace shadertwin;
 
 // What a shader may rely on without declaring it.
 constexpr const char* head =
-    "#version 300 es\n"
-    "precision highp float; precision highp int;\n"
-    "precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;\n"
     "uniform vec3 iResolution; uniform float iTime, iTimeDelta, iFrameRate; uniform int iFrame; uniform vec4 "
     "iDate, iMouse;\n"
     "uniform float iSampleRate, iChannelTime[4]; uniform vec3 iChannelResolution[4];\n"
@@ -33,6 +30,7 @@ Project read(const Arguments& arguments) {
   Project project;
   Pass pass;
   pass.source.head = head;
+  pass.source.own_output = true;
   for (const std::string& define : arguments.defines) {
     const std::size_t equals = define.find('=');
     pass.source.head += "#define " + define.substr(0, equals) + ' ' +

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "reference/emit/syntax_tree.h"
+#include "host/text/syntax_tree.h"
 
 namespace shadertwin::emit {
 

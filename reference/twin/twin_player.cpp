@@ -12,6 +12,8 @@
 #include "host/player/inputs.h"
 #include "host/player/rounds.h"
 #include "host/player/uniforms.h"
+#include "host/text/pipeline.h"
+#include "host/text/render.h"
 #include "reference/emit/emit_cpp.h"
 #include "reference/twin/channels.h"
 #include "reference/twin/deadline.h"
@@ -45,6 +47,7 @@ class TwinPlayerImpl final : public TwinPlayer {
  public:
   TwinPlayerImpl(const Project& project, const TwinOptions& options)
       : project_(with_shared_samplers(project)), options_(options) {
+    for (Pass& pass : project_.passes) pass.source = twin_source(project_, pass);
     passes_.resize(project_.passes.size());
     for (const Pass& pass : project_.passes)
       if (pass.vertex.has_value())
@@ -224,7 +227,7 @@ class TwinPlayerImpl final : public TwinPlayer {
     for (const std::string& file : project.files) key += '\n' + file;  // #line names them
     for (const SourceLine& line : pass.source.lines)
       key += '\n' + std::to_string(line.file) + ':' + std::to_string(line.line);
-    return key + '\n' + pass.source.text();
+    return key + '\n' + shadertwin::render(pass.source);
   }
 
   void bind_inputs(std::size_t index) {

@@ -9,6 +9,7 @@
 #include "host/gl/program.h"
 #include "host/gl/textures.h"
 #include "host/player/fixed_clock.h"
+#include "host/text/load.h"
 #include "tests/scratch_folder.h"
 
 namespace shadertwin {

@@ -10,6 +10,7 @@
 #include "host/gl/gl_player.h"
 #include "host/gl/program.h"
 #include "host/image/image.h"
+#include "host/text/load.h"
 #include "tests/scratch_folder.h"
 
 namespace shadertwin {

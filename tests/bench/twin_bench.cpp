@@ -8,6 +8,7 @@
 
 #include "host/gl/gl_player.h"
 #include "host/player/fixed_clock.h"
+#include "host/text/load.h"
 #include "reference/twin/twin_player.h"
 #include "tests/scratch_folder.h"
 

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "host/base/error.h"
+#include "host/text/load.h"
 #include "reference/check/rules.h"
 #include "tests/scratch_folder.h"
 
@@ -45,7 +46,7 @@ std::vector<check::Finding> findings(const Case& each) {
   folder.write(each.buffer ? "buffer_a.glsl" : "image.glsl", each.code);
   if (each.buffer) folder.write("image.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }\n");
   LoadOptions options;
-  options.zero_outputs = false;
+  options.undefined = Undefined::raw;
   std::vector<check::Finding> found;
   try {
     for (check::Finding& finding : check::read_rules(load_project(folder.path(), options)).findings)

@@ -1,5 +1,6 @@
 // What the C++ of a shader looks like, and which shaders are refused.
 #include "reference/emit/emit_cpp.h"
+#include "host/text/load.h"
 
 #include <gtest/gtest.h>
 

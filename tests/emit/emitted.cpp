@@ -24,7 +24,8 @@ std::string emitted(const std::string& functions, const CppOptions& options) {
   Project project;
   project.files = {"shader.glsl"};
   Pass pass;
-  pass.source.head = "#version 300 es\nprecision highp float; precision highp int; out vec4 o;\n";
+  pass.source.own_output = true;
+  pass.source.head = "out vec4 o;\n";
   pass.source.body = functions + "\n";
   pass.source.tail = "void main() { o = vec4(1.0); }\n";
   const int lines = static_cast<int>(std::count(pass.source.body.begin(), pass.source.body.end(), '\n'));

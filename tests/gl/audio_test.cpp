@@ -1,6 +1,7 @@
 // Music and the microphone as textures on the GPU.
 #include <cmath>
 
+#include "host/text/load.h"
 #include "tests/gl/play.h"
 #include "tests/media/wav_file.h"
 

@@ -1,5 +1,6 @@
 // What only the extension has: its keyboard, ten channels, uniforms of every type.
 #include "host/player/keyboard.h"
+#include "host/text/load.h"
 #include "tests/gl/play.h"
 
 namespace shadertwin {

@@ -1,4 +1,5 @@
 // Textures, cubemaps, the keyboard, and every sampler setting.
+#include "host/text/load.h"
 #include "tests/gl/play.h"
 
 namespace shadertwin {

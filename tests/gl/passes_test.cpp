@@ -1,4 +1,5 @@
 // Pass order, ping-pong, and what buffers keep.
+#include "host/text/load.h"
 #include "tests/gl/play.h"
 
 namespace shadertwin {

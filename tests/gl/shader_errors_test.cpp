@@ -1,5 +1,6 @@
 // Messages of the driver name the user's own files and lines.
 #include "host/base/error.h"
+#include "host/text/load.h"
 #include "tests/gl/play.h"
 
 namespace shadertwin {
@@ -61,10 +62,10 @@ TEST_P(ShaderErrors, ARewrittenTextThatIsRefusedIsReplacedWithOneWarning) {
                    "ivec2(p), 0); }\n");
   const Project project = load_project(shader);
   gl::PlayerOptions options{GetParam().dispatch};
-  options.rewrite = [](const Project& own) {
-    Project broken = own;
-    for (Pass& pass : broken.passes) pass.source.body += "\nfloat broken = ;\n";
-    return broken;
+  options.sources = [](const Project&, const Pass& pass) {
+    PassSource broken = pass.source;
+    broken.body += "\nfloat broken = ;\n";
+    return std::vector{broken, pass.source};
   };
   const auto player = gl::GlPlayer::create(gl::open_context(GetParam().name), project, options);
   ASSERT_EQ(player->warnings().size(), 1U);
@@ -74,7 +75,7 @@ TEST_P(ShaderErrors, ARewrittenTextThatIsRefusedIsReplacedWithOneWarning) {
   FixedClock clock(small(), project.dialect);
   player->render(clock.next());
   EXPECT_EQ(pixel(player->read(1)), glm::vec4(2));
-  options.rewrite = [](const Project& own) { return own; };
+  options.sources = [](const Project&, const Pass& pass) { return std::vector{pass.source}; };
   EXPECT_EQ(gl::GlPlayer::create(gl::open_context(GetParam().name), project, options)->warnings().size(), 1U)
       << "a text that could not be rewritten";
 }

@@ -2,6 +2,7 @@
 #include "host/player/sound.h"
 
 #include "host/base/error.h"
+#include "host/text/load.h"
 #include "tests/gl/play.h"
 
 namespace shadertwin {

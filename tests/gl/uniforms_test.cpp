@@ -1,4 +1,5 @@
 // Uniform values as a shader reads them, frame by frame.
+#include "host/text/load.h"
 #include "tests/gl/play.h"
 
 namespace shadertwin {

@@ -1,5 +1,6 @@
 // #iVertex: passes that place their own two triangles.
 #include "host/base/error.h"
+#include "host/text/load.h"
 #include "tests/gl/play.h"
 
 namespace shadertwin {

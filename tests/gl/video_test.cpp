@@ -1,5 +1,6 @@
 // Videos and the webcam on channels.
 #include "host/media/video_writer.h"
+#include "host/text/load.h"
 #include "tests/gl/play.h"
 
 namespace shadertwin {

@@ -1,4 +1,5 @@
 // Volumes on the GPU.
+#include "host/text/load.h"
 #include "tests/gl/play.h"
 #include "tests/image/volume_file.h"
 

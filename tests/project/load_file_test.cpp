@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "host/project/text_file.h"
+#include "host/text/load.h"
 #include "tests/project/temp_folder.h"
 
 namespace shadertwin {
@@ -221,7 +222,7 @@ TEST(LoadFile, DropsTheVersionLine) {
   const Project project =
       load_project(folder.write("a.glsl", "#version 300 es\r\n" + std::string(empty_image)));
   EXPECT_EQ(project.passes[0].source.body, "\n" + std::string(loaded_empty_image));
-  EXPECT_TRUE(project.passes[0].source.head.starts_with("#version 300 es\n"));
+  EXPECT_EQ(project.passes[0].source.head.find("version"), std::string::npos);
 }
 
 TEST(LoadFile, LeavesNamesToTheUserWhoDefinesThem) {

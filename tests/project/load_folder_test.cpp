@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "host/text/load.h"
 #include "tests/project/temp_folder.h"
 
 namespace shadertwin {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/project/write_json.h"
+#include "host/text/load.h"
 #include "tests/project/temp_folder.h"
 
 namespace shadertwin {

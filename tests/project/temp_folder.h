@@ -10,6 +10,7 @@
 
 #include "host/base/error.h"
 #include "host/project/project.h"
+#include "host/text/load.h"
 
 namespace shadertwin {
 

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "host/text/load.h"
+#include "host/text/map_log.h"
+#include "host/text/render.h"
 #include "tests/project/temp_folder.h"
 
 namespace shadertwin {
@@ -18,9 +21,7 @@ TEST(Vertex, PassHasTheTextThatItNamesWithItsOwnLines) {
   EXPECT_NE(vertex.body.find("gl_VertexID"), std::string::npos);
   EXPECT_NE(vertex.head.find("uniform vec3 iResolution;"), std::string::npos);
   EXPECT_EQ(vertex.head.find(" out "), std::string::npos);
-  EXPECT_EQ(map_log(project, vertex,
-                    "0:" + std::to_string(std::count(vertex.head.begin(), vertex.head.end(), '\n') + 3) +
-                        "(1): error: bad"),
+  EXPECT_EQ(map_log(project, vertex, "0:" + std::to_string(first_body_line(vertex) + 2) + "(1): error: bad"),
             folder.path().string() + "/v.glsl:2: error: bad");
   EXPECT_TRUE(project.warnings.empty());
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "host/player/inputs.h"
+#include "host/text/load.h"
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/shapes.h"
 

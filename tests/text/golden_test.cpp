@@ -11,11 +11,12 @@
 #include <sstream>
 
 #include "host/base/error.h"
-#include "host/project/compute_text.h"
 #include "host/project/project.h"
+#include "host/text/define_undefined.h"
+#include "host/text/load.h"
+#include "host/text/make_precise.h"
+#include "host/text/render.h"
 #include "reference/emit/emit_cpp.h"
-#include "reference/emit/emit_defined.h"
-#include "reference/emit/emit_precise.h"
 
 namespace shadertwin {
 namespace {
@@ -50,17 +51,15 @@ std::string plain(std::string name) {
 
 Texts texts_of(const fs::path& shader) {
   const Project project = load_project(shader);
-  const Project defined = emit_defined(project);
-  const Project precise = emit_precise(defined);
   Texts texts;
-  for (std::size_t i = 0; i < project.passes.size(); ++i) {
-    const Pass& pass = project.passes[i];
+  for (const Pass& pass : project.passes) {
+    const PassSource defined = define_undefined(project, pass.source).value();
     const std::string stem = project.passes.size() == 1 ? "" : plain(pass.name) + ".";
-    add(texts, stem + "webgl.frag", [&] { return pass.source.text(); });
-    add(texts, stem + "es300.frag", [&] { return defined.passes[i].source.text(); });
-    add(texts, stem + "es320.frag", [&] { return precise.passes[i].source.text(); });
+    add(texts, stem + "webgl.frag", [&] { return render(pass.source); });
+    add(texts, stem + "es300.frag", [&] { return render(defined); });
+    add(texts, stem + "es320.frag", [&] { return render(make_precise(project, defined)); });
     if (std::string why; can_run_as_compute(pass, &why))
-      add(texts, stem + "es310.comp", [&] { return compute_text(defined, defined.passes[i], 8, 8); });
+      add(texts, stem + "es310.comp", [&] { return render(defined, Target::compute); });
     else
       texts[stem + "es310.comp"] = "runs as fragments: " + why + '\n';
     add(texts, stem + "scalar.cpp", [&] { return emit_cpp(project, pass); });

@@ -7,7 +7,7 @@
 
 #include "host/gl/gl_player.h"
 #include "host/player/fixed_clock.h"
-#include "reference/emit/emit_defined.h"
+#include "host/text/pipeline.h"
 #include "reference/twin/twin_player.h"
 
 namespace shadertwin {
@@ -28,8 +28,11 @@ class Silent : public twin::Observer {
 
 // Texts that the driver refuses must not fall back to others here.
 std::unique_ptr<Player> open_gl(const std::string& device, const Project& project) {
-  return gl::GlPlayer::create(gl::open_context(device), emit_defined(project),
-                              {.dispatch = gl::Dispatch::fragment});
+  const auto first = [](const Project& p, const Pass& pass) {
+    return std::vector{driver_sources(p, pass).front()};
+  };
+  return gl::GlPlayer::create(gl::open_context(device), project,
+                              {.dispatch = gl::Dispatch::fragment, .sources = first});
 }
 
 std::vector<Runner> runners(const Project& project, const AgreementOptions& options, Silent& silent) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "host/text/load.h"
 #include "tests/emit/random_shader.h"
 #include "tests/twin/agreement.h"
 

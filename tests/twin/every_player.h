@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "host/gl/gl_player.h"
-#include "reference/emit/emit_defined.h"
 #include "reference/twin/twin_player.h"
 #include "tests/scratch_folder.h"
 
@@ -27,7 +26,6 @@ class OnEveryPlayer : public testing::TestWithParam<std::string> {
     }
     gl::PlayerOptions options;
     options.dispatch = name.ends_with("compute") ? gl::Dispatch::compute : gl::Dispatch::fragment;
-    options.rewrite = emit_defined;
     return gl::GlPlayer::create(gl::open_context(name.substr(0, name.find('/'))), project, options);
   }
 

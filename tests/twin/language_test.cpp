@@ -9,8 +9,7 @@
 
 #include "host/gl/gl_player.h"
 #include "host/player/fixed_clock.h"
-#include "reference/emit/emit_defined.h"
-#include "reference/emit/emit_precise.h"
+#include "host/text/load.h"
 #include "reference/twin/twin_player.h"
 
 namespace shadertwin {
@@ -58,8 +57,8 @@ class Language : public testing::TestWithParam<fs::path> {};
 
 void expect_same_frames(const Project& project, float relative) {
   const auto twin = twin::TwinPlayer::create(project);
-  const auto gl = gl::GlPlayer::create(gl::open_context("egl"), project,
-                                       {.dispatch = gl::Dispatch::fragment, .rewrite = emit_defined});
+  const auto gl =
+      gl::GlPlayer::create(gl::open_context("egl"), project, {.dispatch = gl::Dispatch::fragment});
   Schedule schedule;
   schedule.width = 17;
   schedule.height = 9;
@@ -107,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(, Language, testing::ValuesIn(shaders()), shader_name);
 // Sums of products in user code are what Mesa reorders otherwise.
 TEST(PreciseText, MakesMesaKeepTheOrderOfEveryOperation) {
   const fs::path shader = fs::path(SHADERTWIN_SOURCE_DIR) / "tests/emit/shaders/uv_tricks.glsl";
-  expect_same_frames(emit_precise(load_project(shader)), 0.0F);
+  expect_same_frames(load_project(shader, {.precise = true}), 0.0F);
 }
 
 TEST(PreciseText, TakesEveryConstruct) {
@@ -115,7 +114,7 @@ TEST(PreciseText, TakesEveryConstruct) {
     SCOPED_TRACE(name);
     const fs::path shader =
         fs::path(SHADERTWIN_SOURCE_DIR) / "tests/emit/shaders" / (name + std::string(".glsl"));
-    expect_same_frames(emit_precise(load_project(shader)), 0.0F);
+    expect_same_frames(load_project(shader, {.precise = true}), 0.0F);
   }
 }
 

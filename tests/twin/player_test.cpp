@@ -7,6 +7,7 @@
 
 #include "host/base/error.h"
 #include "host/player/fixed_clock.h"
+#include "host/text/load.h"
 #include "reference/twin/twin_player.h"
 #include "tests/scratch_folder.h"
 

@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "host/text/load.h"
 #include "tests/emit/random_shader.h"
 #include "tests/scratch_folder.h"
 #include "tests/twin/agreement.h"

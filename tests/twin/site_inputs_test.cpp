@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "host/player/fixed_clock.h"
+#include "host/text/load.h"
 #include "tests/twin/every_player.h"
 
 namespace shadertwin {

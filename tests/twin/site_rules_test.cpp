@@ -1,6 +1,7 @@
 // What shadertoy.com's passes and targets do, on every player.
 #include "host/base/error.h"
 #include "host/player/fixed_clock.h"
+#include "host/text/load.h"
 #include "tests/twin/every_player.h"
 
 namespace shadertwin {

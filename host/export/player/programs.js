@@ -47,13 +47,12 @@ function placeOf(runs, index) {
   return last; // what is noticed behind the text, a missing brace say, belongs to its last line
 }
 
-// source: a pass, or its vertex shader.
+// source: of the pass's fragments or of its vertex shader.
 function mappedLog(project, pass, source, log) {
-  const head = source.head.split('\n').length - 1;
   const lines = log.replace(/\0/g, '').split('\n').filter((line) => line.trim() !== '');
   return lines.map((line) => {
     const [, severity, number, text] = /^(ERROR|WARNING): \d+:(\d+): (.*)/.exec(line) ?? [];
-    const index = Number(number) - 1 - head;
+    const index = Number(number) - source.first_line;
     const place = index >= 0 ? placeOf(source.lines, index) : null;
     if (!place || place.file < 0) return `${pass.name}: ${line}`;
     return `${project.files[place.file]}:${place.line}: ${severity.toLowerCase()}: ${text}`;
@@ -62,15 +61,14 @@ function mappedLog(project, pass, source, log) {
 
 // Compiles all passes at once. Sets pass.program; gives the messages of those that fail.
 async function compilePasses(gl, project) {
-  const text = (source) => source.head + source.body + source.tail;
-  const started = project.passes.map((pass) => startProgram(gl, text(pass), pass.vertex ? text(pass.vertex) : triangle));
+  const started = project.passes.map((pass) => startProgram(gl, pass.source.text, pass.vertex ? pass.vertex.text : triangle));
   const messages = [];
   for (const [i, pass] of project.passes.entries()) {
     pass.program = started[i].program;
     if (await finished(gl, started[i])) continue;
     const vertexLog = pass.vertex && gl.getShaderInfoLog(started[i].vertex);
     const log = gl.getShaderInfoLog(started[i].fragment) || gl.getProgramInfoLog(pass.program) || 'error';
-    messages.push(...mappedLog(project, pass, vertexLog ? pass.vertex : pass, vertexLog || log));
+    messages.push(...mappedLog(project, pass, vertexLog ? pass.vertex : pass.source, vertexLog || log));
   }
   return messages;
 }

@@ -1,6 +1,7 @@
 #version 300 es
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
+layout(location = 0) out vec4 shadertoy_out_color;
 #define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
@@ -38,7 +39,6 @@ uniform sampler2D iKeyboard;
 #define gl_FragColor shadertoy_out_color
 #define gl_FragDepthEXT gl_FragDepth
 #define GLSL_FRAGCOLOR gl_FragColor
-layout(location = 0) out vec4 shadertoy_out_color;
 // Constant arrays, clamped indices, length(), arrays by value, initialiser forms.
 const vec3 palette[4] = vec3[](vec3(0.1, 0.2, 0.3), vec3(1.0), vec3(0.5, 0.25, 0.125), vec3(-1.0, 2.0, 7.0));
 const int steps[5] = int[5](3, 1, 4, 1, 5);

@@ -1,6 +1,7 @@
 #version 300 es
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
+layout(location = 0) out vec4 shadertoy_out_color;
 #define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
@@ -38,7 +39,6 @@ uniform sampler2D iKeyboard;
 #define gl_FragColor shadertoy_out_color
 #define gl_FragDepthEXT gl_FragDepth
 #define GLSL_FRAGCOLOR gl_FragColor
-layout(location = 0) out vec4 shadertoy_out_color;
 // Constant expressions are computed in float, operation by operation.
 const float a = 0.1, b = 0.7, c = a + b * 3.3, d = sqrt(2.0) / 3.0, e = 1.0 / 3.0 * 0.3;
 const vec3 v = normalize(vec3(0.3, 0.4, 1.7)), w = cross(v, vec3(0.1, 0.2, 0.3)) * 0.7;

@@ -4,8 +4,8 @@ namespace shadertwin::glsl::packet {
 namespace {
 
 struct Shader : Invocation {
-  samplerCube iChannel0{};
   vec4 shadertoy_out_color{};
+  samplerCube iChannel0{};
 
   void initialise(Bool active) {
     unwritten(active, shadertoy_out_color);

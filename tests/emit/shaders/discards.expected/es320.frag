@@ -1,6 +1,7 @@
 #version 320 es
-precision highp float ; precision highp int ;
-precision highp sampler2D ; precision highp samplerCube ; precision highp sampler3D ;
+precision highp float; precision highp int;
+precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
+layout(location = 0) out vec4 shadertoy_out_color;
 
 uniform vec3 iResolution ;
 uniform float iTime ;
@@ -38,7 +39,6 @@ uniform sampler2D iKeyboard ;
 
 
 
-layout(location = 0) out vec4 shadertoy_out_color;
 
 float check ( precise vec2 p ) { precise bool shadertwin_test; precise float shadertwin_result; if ( (shadertwin_test = (p . x > 10.0)) ) discard ; for ( precise int i = 0 ; ; i ++ ) { if ( (shadertwin_test = (float ( i ) > p . y)) ) break ; if ( (shadertwin_test = (i == 6)) ) discard ; } return (shadertwin_result = (p . x)) ; }
 void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;

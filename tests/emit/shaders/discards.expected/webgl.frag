@@ -1,6 +1,7 @@
 #version 300 es
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
+layout(location = 0) out vec4 shadertoy_out_color;
 #define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
@@ -38,7 +39,6 @@ uniform sampler2D iKeyboard;
 #define gl_FragColor shadertoy_out_color
 #define gl_FragDepthEXT gl_FragDepth
 #define GLSL_FRAGCOLOR gl_FragColor
-layout(location = 0) out vec4 shadertoy_out_color;
 // discard in the entry function, in a function that it calls, and in a loop.
 float check(vec2 p) { if (p.x > 10.0) discard; for (int i = 0; ; i++) { if (float(i) > p.y) break; if (i == 6) discard; } return p.x; }
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);

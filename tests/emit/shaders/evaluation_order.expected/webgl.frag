@@ -1,6 +1,7 @@
 #version 300 es
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
+layout(location = 0) out vec4 shadertoy_out_color;
 #define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
@@ -38,7 +39,6 @@ uniform sampler2D iKeyboard;
 #define gl_FragColor shadertoy_out_color
 #define gl_FragDepthEXT gl_FragDepth
 #define GLSL_FRAGCOLOR gl_FragColor
-layout(location = 0) out vec4 shadertoy_out_color;
 // Arguments and operands are evaluated from left to right.
 uint state;
 uint rnd() { state = state * 747796405u + 2891336453u; return state >> 9; }

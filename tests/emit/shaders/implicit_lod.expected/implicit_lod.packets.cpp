@@ -4,9 +4,9 @@ namespace shadertwin::glsl::packet {
 namespace {
 
 struct Shader : Invocation {
+  vec4 shadertoy_out_color{};
   uniform::vec3 iResolution{};
   sampler2D iChannel0{};
-  vec4 shadertoy_out_color{};
 
   void initialise(Bool active) {
     unwritten(active, shadertoy_out_color);

@@ -8,9 +8,9 @@ namespace {
 const float THIRD = 2.0943952f;
 
 struct Shader : Invocation {
+  vec4 shadertoy_out_color{};
   uniform::vec3 iResolution{};
   float iTime{};
-  vec4 shadertoy_out_color{};
   Float time_scale{};
 
   void initialise(Bool active) {

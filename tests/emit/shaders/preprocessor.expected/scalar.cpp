@@ -8,9 +8,9 @@ namespace {
 const Float THIRD = 2.0943952f;
 
 struct Shader : Invocation {
+  vec4 shadertoy_out_color{};
   vec3 iResolution{};
   Float iTime{};
-  vec4 shadertoy_out_color{};
   Float time_scale{};
 
   void initialise() {

@@ -4,8 +4,8 @@ namespace shadertwin::glsl::packet {
 namespace {
 
 struct Shader : Invocation {
-  uniform::vec3 iResolution{};
   vec4 shadertoy_out_color{};
+  uniform::vec3 iResolution{};
 
   void initialise(Bool active) {
     unwritten(active, shadertoy_out_color);

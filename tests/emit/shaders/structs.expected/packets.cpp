@@ -29,8 +29,8 @@ struct Outer {
 };
 
 struct Shader : Invocation {
-  uniform::vec3 iResolution{};
   vec4 shadertoy_out_color{};
+  uniform::vec3 iResolution{};
   Padded padded{};
 
   void initialise(Bool active) {

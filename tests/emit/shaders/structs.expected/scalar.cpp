@@ -26,8 +26,8 @@ struct Outer {
 };
 
 struct Shader : Invocation {
-  vec3 iResolution{};
   vec4 shadertoy_out_color{};
+  vec3 iResolution{};
   Padded padded{};
 
   void initialise() {

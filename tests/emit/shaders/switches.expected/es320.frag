@@ -1,6 +1,7 @@
 #version 320 es
-precision highp float ; precision highp int ;
-precision highp sampler2D ; precision highp samplerCube ; precision highp sampler3D ;
+precision highp float; precision highp int;
+precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
+layout(location = 0) out vec4 shadertoy_out_color;
 
 uniform vec3 iResolution ;
 uniform float iTime ;
@@ -38,7 +39,6 @@ uniform sampler2D iKeyboard ;
 
 
 
-layout(location = 0) out vec4 shadertoy_out_color;
 
 float choose ( precise int k ) { precise bool shadertwin_test; precise float shadertwin_result;
 precise float r = 0.0 ;

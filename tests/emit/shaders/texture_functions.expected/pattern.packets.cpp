@@ -4,8 +4,8 @@ namespace shadertwin::glsl::packet {
 namespace {
 
 struct Shader : Invocation {
-  int iFrame{};
   vec4 shadertoy_out_color{};
+  int iFrame{};
 
   void initialise(Bool active) {
     unwritten(active, shadertoy_out_color);

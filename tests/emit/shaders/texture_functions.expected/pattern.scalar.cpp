@@ -4,8 +4,8 @@ namespace shadertwin::glsl {
 namespace {
 
 struct Shader : Invocation {
-  int iFrame{};
   vec4 shadertoy_out_color{};
+  int iFrame{};
 
   void initialise() {
     unwritten(shadertoy_out_color);

@@ -4,10 +4,10 @@ namespace shadertwin::glsl {
 namespace {
 
 struct Shader : Invocation {
+  vec4 shadertoy_out_color{};
   vec3 iResolution{};
   array<vec3, 10> iChannelResolution{};
   sampler2D iChannel0{};
-  vec4 shadertoy_out_color{};
 
   void initialise() {
     unwritten(shadertoy_out_color);

@@ -14,8 +14,8 @@ const array<float, 3> constant = array<float, 3>{{1.0f, 2.0f, 3.0f}};
 const array<float, 5> constant_2 = array<float, 5>{{1.0f, 2.0f, 3.0f, 4.0f, 5.0f}};
 
 struct Shader : Invocation {
-  int iFrame{};
   vec4 shadertoy_out_color{};
+  int iFrame{};
   array<Float, 1000> table{};
   array<vec2, 3> pairs{};
   array<Thing, 2> things{};

@@ -13,8 +13,8 @@ const array<Float, 3> constant = array<Float, 3>{{1.0f, 2.0f, 3.0f}};
 const array<Float, 5> constant_2 = array<Float, 5>{{1.0f, 2.0f, 3.0f, 4.0f, 5.0f}};
 
 struct Shader : Invocation {
-  int iFrame{};
   vec4 shadertoy_out_color{};
+  int iFrame{};
   array<Float, 1000> table{};
   array<vec2, 3> pairs{};
   array<Thing, 2> things{};

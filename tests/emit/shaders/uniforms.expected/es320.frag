@@ -1,6 +1,7 @@
 #version 320 es
-precision highp float ; precision highp int ;
-precision highp sampler2D ; precision highp samplerCube ; precision highp sampler3D ;
+precision highp float; precision highp int;
+precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
+layout(location = 0) out vec4 shadertoy_out_color;
 
 uniform vec3 iResolution ;
 uniform float iTime ;
@@ -40,7 +41,6 @@ uniform float iChannelTime [ 4 ] ;
 
 
 
-layout(location = 0) out vec4 shadertoy_out_color;
 
 void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
 precise int k = int ( p . x ) % 4 ;

@@ -4,6 +4,7 @@ namespace shadertwin::glsl::packet {
 namespace {
 
 struct Shader : Invocation {
+  vec4 shadertoy_out_color{};
   uniform::vec3 iResolution{};
   float iTime{};
   float iTimeDelta{};
@@ -14,7 +15,6 @@ struct Shader : Invocation {
   array<uniform::vec3, 10> iChannelResolution{};
   float iFrameRate{};
   array<float, 4> iChannelTime{};
-  vec4 shadertoy_out_color{};
 
   void initialise(Bool active) {
     unwritten(active, shadertoy_out_color);

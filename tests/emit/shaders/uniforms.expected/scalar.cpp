@@ -4,6 +4,7 @@ namespace shadertwin::glsl {
 namespace {
 
 struct Shader : Invocation {
+  vec4 shadertoy_out_color{};
   vec3 iResolution{};
   Float iTime{};
   Float iTimeDelta{};
@@ -14,7 +15,6 @@ struct Shader : Invocation {
   array<vec3, 10> iChannelResolution{};
   Float iFrameRate{};
   array<Float, 4> iChannelTime{};
-  vec4 shadertoy_out_color{};
 
   void initialise() {
     unwritten(shadertoy_out_color);

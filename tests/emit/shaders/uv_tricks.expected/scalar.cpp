@@ -4,8 +4,8 @@ namespace shadertwin::glsl {
 namespace {
 
 struct Shader : Invocation {
-  vec3 iResolution{};
   vec4 shadertoy_out_color{};
+  vec3 iResolution{};
 
   void initialise() {
     unwritten(shadertoy_out_color);

@@ -7,9 +7,9 @@ const int Key_A = 65;
 const int Key_Enter = 13;
 
 struct Shader : Invocation {
+  vec4 shadertoy_out_color{};
   sampler2D iKeyboard{};
   float speed{};
-  vec4 shadertoy_out_color{};
 
   void initialise(Bool active) {
     unwritten(active, shadertoy_out_color);

@@ -7,9 +7,9 @@ const int Key_A = 65;
 const int Key_Enter = 13;
 
 struct Shader : Invocation {
+  vec4 shadertoy_out_color{};
   sampler2D iKeyboard{};
   Float speed{};
-  vec4 shadertoy_out_color{};
 
   void initialise() {
     unwritten(shadertoy_out_color);

@@ -1,6 +1,7 @@
 #version 300 es
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
+layout(location = 0) out vec4 shadertoy_out_color;
 #define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
@@ -141,7 +142,6 @@ bool isKeyReleased(int key) { return texture(iKeyboard, vec2(float(key) / 255.0,
 #define gl_FragColor shadertoy_out_color
 #define gl_FragDepthEXT gl_FragDepth
 #define GLSL_FRAGCOLOR gl_FragColor
-layout(location = 0) out vec4 shadertoy_out_color;
 // The extension's names of keys.
 
 

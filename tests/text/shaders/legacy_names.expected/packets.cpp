@@ -4,10 +4,10 @@ namespace shadertwin::glsl::packet {
 namespace {
 
 struct Shader : Invocation {
+  vec4 shadertoy_out_color{};
   uniform::vec3 iResolution{};
   float iTime{};
   sampler2D iChannel0{};
-  vec4 shadertoy_out_color{};
   vec2 unused{};
 
   void initialise(Bool active) {

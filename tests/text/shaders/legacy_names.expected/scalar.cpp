@@ -4,10 +4,10 @@ namespace shadertwin::glsl {
 namespace {
 
 struct Shader : Invocation {
+  vec4 shadertoy_out_color{};
   vec3 iResolution{};
   Float iTime{};
   sampler2D iChannel0{};
-  vec4 shadertoy_out_color{};
   vec2 unused{};
 
   void initialise() {

@@ -1,24 +1,24 @@
 #version 310 es
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
-#define HW_PERFORMANCE 1
-uniform vec3 iResolution;
-uniform float iTime;
-uniform float iTimeDelta;
-uniform int iFrame;
-uniform vec4 iDate;
-uniform vec4 iMouse;
-uniform float iSampleRate;
-uniform float iFrameRate;
-uniform float iChannelTime[4];
-uniform vec3 iChannelResolution[4];
-uniform sampler2D iChannel0;
-uniform samplerCube iChannel1;
-uniform sampler2D iChannel2;
-uniform sampler2D iChannel3;
 layout(local_size_x = 8, local_size_y = 8) in; layout(rgba32f, binding = 7) writeonly uniform highp image2D shadertwin_target; uniform ivec2 shadertwin_origin; vec4 shadertwin_frag_coord; vec4 shadertoy_out_color;
-void mainImage(out vec4, in vec2);
-void shadertwin_main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, shadertwin_frag_coord.xy); shadertoy_out_color = shadertoy_color; }
+
+uniform vec3 iResolution ;
+uniform float iTime ;
+uniform float iTimeDelta ;
+uniform int iFrame ;
+uniform vec4 iDate ;
+uniform vec4 iMouse ;
+uniform float iSampleRate ;
+uniform float iFrameRate ;
+uniform float iChannelTime [ 4 ] ;
+uniform vec3 iChannelResolution [ 4 ] ;
+uniform sampler2D iChannel0 ;
+uniform samplerCube iChannel1 ;
+uniform sampler2D iChannel2 ;
+uniform sampler2D iChannel3 ;
+void mainImage ( out vec4 , in vec2 ) ;
+void shadertwin_main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , shadertwin_frag_coord . xy ) ; shadertoy_out_color = shadertoy_color ; }
 
 
 float wave ( float t , float hertz ) { return sin ( 6.2831853 * hertz * t ) ; }

@@ -4,10 +4,10 @@ namespace shadertwin::glsl::packet {
 namespace {
 
 struct Shader : Invocation {
+  vec4 shadertoy_out_color{};
   float iTime{};
   sampler2D iChannel0{};
   samplerCube iChannel1{};
-  vec4 shadertoy_out_color{};
 
   void initialise(Bool active) {
     unwritten(active, shadertoy_out_color);

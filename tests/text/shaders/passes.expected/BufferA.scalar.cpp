@@ -4,10 +4,10 @@ namespace shadertwin::glsl {
 namespace {
 
 struct Shader : Invocation {
+  vec4 shadertoy_out_color{};
   Float iTime{};
   sampler2D iChannel0{};
   samplerCube iChannel1{};
-  vec4 shadertoy_out_color{};
 
   void initialise() {
     unwritten(shadertoy_out_color);

@@ -1,6 +1,7 @@
 #version 320 es
-precision highp float ; precision highp int ; int shadertwin_at ( precise int i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (clamp ( i , 0 , last ))) ; } int shadertwin_at ( precise uint i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (int ( min ( i , uint ( last ) ) ))) ; }
-precision highp sampler2D ; precision highp samplerCube ; precision highp sampler3D ;
+precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
+precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
+layout(location = 0) out vec4 shadertoy_out_color;
 
 uniform vec3 iResolution ;
 uniform float iTime ;
@@ -16,7 +17,6 @@ uniform sampler2D iChannel0 ;
 uniform sampler2D iChannel1 ;
 uniform sampler2D iChannel2 ;
 uniform sampler2D iChannel3 ;
-layout(location = 0) out vec4 shadertoy_out_color;
 precise int shadertwin_failed = - 1 ; void st_assert ( precise bool condition , precise int kind ) { precise bool shadertwin_test; if ( (shadertwin_test = (! condition)) ) shadertwin_failed = kind ; } void st_assert ( precise bool condition ) { precise bool shadertwin_test; st_assert ( condition , 0 ) ; }
 void mainImage ( out vec4 , in vec2 ) ;
 void main ( ) { precise bool shadertwin_test; precise vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; if ( (shadertwin_test = (shadertwin_failed >= 0)) ) shadertoy_color . rgb = vec3 ( shadertwin_failed == 0 || shadertwin_failed == 3 , shadertwin_failed == 1 || shadertwin_failed == 3 , shadertwin_failed == 2 ) ; shadertoy_out_color = vec4 ( shadertoy_color . rgb , 1.0 ) ; }

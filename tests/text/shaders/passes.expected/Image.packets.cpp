@@ -4,10 +4,10 @@ namespace shadertwin::glsl::packet {
 namespace {
 
 struct Shader : Invocation {
+  vec4 shadertoy_out_color{};
   uniform::vec3 iResolution{};
   array<uniform::vec3, 4> iChannelResolution{};
   sampler2D iChannel0{};
-  vec4 shadertoy_out_color{};
   Int shadertwin_failed{};
 
   void initialise(Bool active) {

@@ -1,6 +1,7 @@
 #version 300 es
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
+layout(location = 0) out vec4 shadertoy_out_color;
 #define HW_PERFORMANCE 1
 uniform vec3 iResolution;
 uniform float iTime;
@@ -16,7 +17,6 @@ uniform sampler2D iChannel0;
 uniform sampler2D iChannel1;
 uniform sampler2D iChannel2;
 uniform sampler2D iChannel3;
-layout(location = 0) out vec4 shadertoy_out_color;
 int shadertwin_failed = -1; void st_assert(bool condition, int kind) { if (!condition) shadertwin_failed = kind; } void st_assert(bool condition) { st_assert(condition, 0); }
 void mainImage(out vec4, in vec2);
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); if (shadertwin_failed >= 0) shadertoy_color.rgb = vec3(shadertwin_failed == 0 || shadertwin_failed == 3, shadertwin_failed == 1 || shadertwin_failed == 3, shadertwin_failed == 2); shadertoy_out_color = vec4(shadertoy_color.rgb, 1.0); }

@@ -4,10 +4,10 @@ namespace shadertwin::glsl::packet {
 namespace {
 
 struct Shader : Invocation {
+  vec4 shadertoy_out_color{};
   float iTimeOffset{};
   int iSampleOffset{};
   float iSampleRate{};
-  vec4 shadertoy_out_color{};
 
   void initialise(Bool active) {
     unwritten(active, shadertoy_out_color);

@@ -4,10 +4,10 @@ namespace shadertwin::glsl {
 namespace {
 
 struct Shader : Invocation {
+  vec4 shadertoy_out_color{};
   Float iTimeOffset{};
   int iSampleOffset{};
   Float iSampleRate{};
-  vec4 shadertoy_out_color{};
 
   void initialise() {
     unwritten(shadertoy_out_color);

@@ -1,0 +1,327 @@
+#include "host/text/canonicalise.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "host/language/browser_names.h"
+#include "host/language/tokens.h"
+
+namespace shadertwin {
+
+namespace {
+
+const std::set<std::string_view> qualifiers = {"const", "in", "out", "inout", "lowp", "mediump", "highp"};
+
+bool is_precision(const Token& token) {
+  return token.is("lowp") || token.is("mediump") || token.is("highp");
+}
+
+struct Edit {
+  std::size_t begin = 0;
+  std::size_t length = 0;
+  std::string text;
+};
+
+class Rewriter {
+ public:
+  Rewriter(std::string_view text, bool zero_outputs)
+      : text_(text), zero_outputs_(zero_outputs), tokens_(tokenize(text)) {}
+
+  std::string run() {
+    find_declared();
+    rename_variables();
+    rename_open_builtins();
+    rename_length_members();
+    const bool by_macro = zero_outputs_ && macro_makes_image();
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      const Token& token = tokens_[i];
+      if (by_macro && opens_image(i)) edits_.push_back({tokens_[i + 2].begin, 0, "in"});
+      if (token.preprocessor && token.first && token.is("#")) fix_directive(i);
+      if (token.kind == Token::Kind::identifier &&
+          (later_words().contains(token.text) || renamed_.contains(token.text)))
+        edits_.push_back({token.begin, 0, "shadertwin_"});
+      if (token.kind == Token::Kind::identifier && token.text.starts_with("iCh")) fix_channel_struct(i);
+      if (token.is("(") && opens_function(i)) fix_function(i);
+      if (token.is("precision") && !token.preprocessor) drop_precision(i);
+      if (is_precision(token) && !token.preprocessor) drop(i);
+      if (token.kind == Token::Kind::string || token.kind == Token::Kind::open_string) drop_quotes(token);
+      // The last label of a switch needs a statement that does something.
+      if (token.is(":") && only_empty_follows(i)) edits_.push_back({token.end(), 0, " break;"});
+      if (one_parameter_.contains(token.text) && i + 2 < tokens_.size() && tokens_[i + 1].is("(") &&
+          tokens_[i + 2].is(")"))
+        edits_.push_back({tokens_[i + 2].begin, 0, "shadertwin_nothing"});
+    }
+    return apply();
+  }
+
+ private:
+  bool is_word(std::size_t i) const { return tokens_[i].kind == Token::Kind::identifier; }
+
+  // Whether a switch ends after the label, with no more than empty statements and blocks before.
+  bool only_empty_follows(std::size_t label) const {
+    int depth = 0;
+    for (std::size_t i = label + 1; i < tokens_.size() && !tokens_[i].preprocessor; ++i) {
+      if (tokens_[i].is("}") && depth-- == 0) return i > label + 1;
+      if (tokens_[i].is("{"))
+        ++depth;
+      else if (!tokens_[i].is(";") && !tokens_[i].is("}"))
+        return false;
+    }
+    return false;
+  }
+
+  // `mainImage(out`
+  bool opens_image(std::size_t i) const {
+    return i + 2 < tokens_.size() && tokens_[i].is("mainImage") && tokens_[i + 1].is("(") &&
+           tokens_[i + 2].is("out");
+  }
+  bool macro_makes_image() const {
+    for (std::size_t i = 0; i < tokens_.size(); ++i)
+      if (tokens_[i].preprocessor && opens_image(i)) return true;
+    return false;
+  }
+
+  // A name, a type before it, and it is no statement's keyword.
+  bool opens_function(std::size_t paren) const {
+    if (paren < 2 || tokens_[paren].preprocessor || !is_word(paren - 1)) return false;
+    const Token& name = tokens_[paren - 1];
+    const Token& before = tokens_[paren - 2];
+    if (name.is("if") || name.is("for") || name.is("while") || name.is("switch")) return false;
+    if (before.preprocessor || before.is("return") || before.is("else")) return false;
+    return before.kind == Token::Kind::identifier || before.is("]");
+  }
+
+  void find_declared() {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      if (tokens_[i].is("(") && opens_function(i) && other_builtins().contains(tokens_[i - 1].text))
+        renamed_.insert(tokens_[i - 1].text);
+      if (i < 2 || !tokens_[i - 1].is("define") || !tokens_[i - 2].is("#")) continue;
+      macros_.insert(tokens_[i].text);
+      if (i + 3 < tokens_.size() && tokens_[i + 1].is("(") && tokens_[i + 1].begin == tokens_[i].end() &&
+          is_word(i + 2) && tokens_[i + 3].is(")"))
+        one_parameter_.insert(tokens_[i].text);
+    }
+  }
+
+  void drop(std::size_t i) { edits_.push_back({tokens_[i].begin, tokens_[i].text.size(), ""}); }
+
+  // `precision mediump float;`, but for types that the head gives none.
+  void drop_precision(std::size_t i) {
+    if (i + 3 >= tokens_.size() || !is_precision(tokens_[i + 1]) || !tokens_[i + 3].is(";")) return;
+    const Token& type = tokens_[i + 2];
+    const bool known = type.is("float") || type.is("int") || type.is("sampler2D") || type.is("sampler3D") ||
+                       type.is("samplerCube");
+    if (!known) return;
+    drop(i);
+    drop(i + 2);
+    drop(i + 3);
+  }
+
+  void drop_quotes(const Token& token) {
+    for (std::size_t i = 0; i < token.text.size(); ++i)
+      if (token.text[i] == '"' || token.text[i] == '\'') edits_.push_back({token.begin + i, 1, " "});
+  }
+
+  void rename(std::size_t i) { edits_.push_back({tokens_[i].begin, 0, "shadertwin_"}); }
+
+  // A global variable may have a built-in function's name: from there on, whatever is not called means it.
+  void rename_variables() {
+    std::set<std::string_view> names;
+    int depth = 0;
+    for (std::size_t i = 1; i + 1 < tokens_.size(); ++i) {
+      const Token& token = tokens_[i];
+      const Token& next = tokens_[i + 1];
+      if (token.is("{") || token.is("(")) depth += token.preprocessor ? 0 : 1;
+      if (token.is("}") || token.is(")")) depth = std::max(depth - (token.preprocessor ? 0 : 1), 0);
+      const bool is_builtin = builtins().contains(token.text) || other_builtins().contains(token.text);
+      if (!is_word(i) || !is_builtin) continue;
+      const Token& before = tokens_[i - 1];
+      const bool declared = depth == 0 && !token.preprocessor && !before.preprocessor &&
+                            (is_word(i - 1) || before.is("]") || before.is(",")) &&
+                            (next.is("=") || next.is(";") || next.is(",") || next.is("["));
+      if (declared) names.insert(token.text);
+      if (names.contains(token.text) && !next.is("(") && !before.is(".")) rename(i);
+    }
+  }
+
+  // `length` as a structure's member: glslang takes it for the size of an array.
+  void rename_length_members() {
+    bool in_structure = false;
+    for (std::size_t i = 1; i + 1 < tokens_.size(); ++i) {
+      const Token& next = tokens_[i + 1];
+      if (tokens_[i].is("{"))
+        in_structure = tokens_[i - 1].is("struct") || (i > 1 && tokens_[i - 2].is("struct"));
+      if (tokens_[i].is("}")) in_structure = false;
+      if (!tokens_[i].is("length")) continue;
+      const bool used = tokens_[i - 1].is(".") && !next.is("(");
+      const bool declared = in_structure && (next.is(";") || next.is(",") || next.is("["));
+      if (used || declared) rename(i);
+    }
+  }
+
+  // The types of the parameters in the parentheses that open at `open`, each followed by a comma.
+  std::string signature(std::size_t open) const {
+    std::string types;
+    bool wanted = true;
+    for (std::size_t i = open + 1; i < tokens_.size() && !tokens_[i].is(")"); ++i) {
+      if (tokens_[i].is(",")) wanted = true;
+      if (!wanted || !is_word(i) || qualifiers.contains(tokens_[i].text)) continue;
+      types += std::string(tokens_[i].text) + ",";
+      wanted = false;
+    }
+    return types;
+  }
+
+  // Functions named as built-ins that browsers let a shader define again: they and the built-ins that they
+  // don't hide become functions of one other name.
+  void rename_open_builtins() {
+    std::map<std::string_view, std::set<std::string>> own;
+    std::map<std::string_view, std::size_t> first;
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      if (!tokens_[i].is("(") || !opens_function(i)) continue;
+      const std::string_view name = tokens_[i - 1].text;
+      const auto& overloads = open_builtins();
+      if (std::none_of(overloads.begin(), overloads.end(), [&](const Overload& o) { return o.name == name; }))
+        continue;
+      own[name].insert(signature(i));
+      first.emplace(name, i - 2);
+    }
+    for (const auto& [name, place] : first) {
+      edits_.push_back({tokens_[place].begin, 0, forwarders(name, own[name])});
+      for (std::size_t i = place; i + 1 < tokens_.size(); ++i)
+        if (tokens_[i].is(name) && tokens_[i + 1].is("(")) rename(i);
+    }
+  }
+
+  static std::string forwarders(std::string_view name, const std::set<std::string>& own) {
+    std::string text;
+    for (const Overload& overload : open_builtins()) {
+      if (overload.name != name) continue;
+      std::string types, parameters, arguments;
+      for (const std::string_view type : overload.parameters) {
+        const std::string comma = types.empty() ? "" : ", ";
+        const std::string parameter(1, static_cast<char>('a' + std::count(types.begin(), types.end(), ',')));
+        types.append(type) += ',';
+        parameters += comma + std::string(type) + " " + parameter;
+        arguments += comma + parameter;
+      }
+      if (own.contains(types)) continue;
+      text += std::string(overload.result) + " shadertwin_" + std::string(name) + "(" + parameters +
+              ") { return " + std::string(name) + "(" + arguments + "); } ";
+    }
+    return text;
+  }
+
+  void fix_channel_struct(std::size_t i) {
+    const std::string_view name = tokens_[i].text;
+    if (name.size() != 4 || name[3] < '0' || name[3] > '3' || i + 2 >= tokens_.size() ||
+        !tokens_[i + 1].is("."))
+      return;
+    const Token& member = tokens_[i + 2];
+    const std::string channel(1, name[3]);
+    std::string by;
+    if (member.is("sampler")) by = "iChannel" + channel;
+    if (member.is("size")) by = "iChannelResolution[" + channel + "]";
+    if (member.is("time")) by = "iChannelTime[" + channel + "]";
+    if (member.is("loaded")) by = "shadertwin_loaded_" + channel;
+    if (!by.empty() && member.line == tokens_[i].line)
+      edits_.push_back({tokens_[i].begin, member.end() - tokens_[i].begin, by});
+  }
+
+  void fix_directive(std::size_t hash) {
+    std::size_t end = hash + 1;
+    while (end < tokens_.size() && tokens_[end].preprocessor && !(tokens_[end].first && tokens_[end].is("#")))
+      ++end;
+    if (hash + 1 >= end) return;
+    const Token& word = tokens_[hash + 1];
+    std::size_t extra = end;
+    if (word.is("else") || word.is("endif")) extra = hash + 2;
+    if (word.is("ifdef") || word.is("ifndef")) extra = hash + 3;
+    for (std::size_t i = extra; i < end; ++i)
+      edits_.push_back({tokens_[i].begin, tokens_[i].text.size(), ""});
+    if (!word.is("define")) return;
+    for (std::size_t i = hash + 3; i < end; ++i) {
+      const bool pasted = tokens_[i - 1].is("#") || (i + 1 < end && tokens_[i + 1].is("#"));
+      if (tokens_[i].is("#") && !pasted) edits_.push_back({tokens_[i].begin, 1, ""});
+    }
+  }
+
+  // The parameters of a definition; a prototype may stay as it is.
+  void fix_function(std::size_t open) {
+    if (macros_.contains(tokens_[open - 1].text)) return;
+    std::size_t close = open;
+    int depth = 0;
+    for (; close < tokens_.size(); ++close) {
+      if (tokens_[close].preprocessor) return;  // what is chosen there can't be known here
+      if (tokens_[close].is("(")) ++depth;
+      if (tokens_[close].is(")") && --depth == 0) break;
+      if (tokens_[close].is("{") || tokens_[close].is(";")) return;
+    }
+    if (close + 1 >= tokens_.size() || !tokens_[close + 1].is("{")) return;
+    std::string zeros;
+    std::size_t start = open + 1;
+    depth = 0;
+    for (std::size_t i = start; i <= close; ++i) {
+      if (tokens_[i].is("[") || tokens_[i].is("(")) ++depth;
+      if (tokens_[i].is("]") || (tokens_[i].is(")") && i < close)) --depth;
+      if (i < close && (depth > 0 || !tokens_[i].is(","))) continue;
+      fix_parameter(start, i, zeros);
+      start = i + 1;
+    }
+    if (zero_outputs_ && !zeros.empty()) edits_.push_back({tokens_[close + 1].end(), 0, zeros});
+  }
+
+  void fix_parameter(std::size_t begin, std::size_t end, std::string& zeros) {
+    bool out = false;
+    for (; begin < end && qualifiers.contains(tokens_[begin].text); ++begin)
+      out = out || tokens_[begin].is("out");
+    if (begin >= end || !is_word(begin)) return;
+    const std::string_view type = tokens_[begin].text;
+    const bool array = std::any_of(tokens_.begin() + static_cast<std::ptrdiff_t>(begin),
+                                   tokens_.begin() + static_cast<std::ptrdiff_t>(end),
+                                   [](const Token& token) { return token.is("["); });
+    const bool unnamed = begin + 1 == end || (tokens_[begin + 1].is("[") && tokens_[end - 1].is("]"));
+    if (unnamed && type != "void" && !macros_.contains(type)) {
+      edits_.push_back({tokens_[end - 1].end(), 0, " shadertwin_unnamed_" + std::to_string(unnamed_++)});
+    } else if (out && !array && begin + 2 == end && value_types().contains(type) && !macros_.contains(type)) {
+      const std::string name(tokens_[begin + 1].text);
+      const bool word = later_words().contains(name);
+      zeros += " " + std::string(word ? "shadertwin_" : "") + name + " = " + std::string(type) + "(0);";
+    }
+  }
+
+  std::string apply() {
+    std::stable_sort(edits_.begin(), edits_.end(),
+                     [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
+    std::string result;
+    std::size_t copied = 0;
+    for (const Edit& edit : edits_) {
+      if (edit.begin < copied) continue;  // what is dropped needs no other change
+      result.append(text_.substr(copied, edit.begin - copied)).append(edit.text);
+      copied = edit.begin + edit.length;
+    }
+    return result.append(text_.substr(copied));
+  }
+
+  std::string_view text_;
+  bool zero_outputs_;
+  std::vector<Token> tokens_;
+  std::vector<Edit> edits_;
+  std::set<std::string_view> renamed_;
+  std::set<std::string_view> macros_;
+  std::set<std::string_view> one_parameter_;  // macros
+  int unnamed_ = 0;
+};
+
+}  // namespace
+
+std::string canonicalise(std::string_view text, Undefined undefined) {
+  std::string spaced(text);
+  std::replace_if(
+      spaced.begin(), spaced.end(), [](char c) { return c == '\v' || c == '\f'; }, ' ');
+  return Rewriter(spaced, undefined == Undefined::zero).run();
+}
+
+}  // namespace shadertwin

@@ -1,0 +1,233 @@
+#include "host/text/host_text.h"
+
+#include <optional>
+
+#include "host/base/error.h"
+#include "host/language/entry_points.h"
+#include "host/language/tokens.h"
+#include "host/text/canonicalise.h"
+#include "host/text/keyboard_text.h"
+#include "host/text/main_text.h"
+
+namespace shadertwin {
+
+namespace {
+
+std::string_view glsl_name(UniformType type) {
+  switch (type) {
+    case UniformType::float1:
+      return "float";
+    case UniformType::float2:
+      return "vec2";
+    case UniformType::float3:
+      return "vec3";
+    case UniformType::float4:
+      return "vec4";
+    case UniformType::int1:
+      return "int";
+    case UniformType::int2:
+      return "ivec2";
+    case UniformType::int3:
+      return "ivec3";
+    case UniformType::int4:
+      return "ivec4";
+    case UniformType::mat4:
+      return "mat4";
+  }
+  return "float";
+}
+
+std::string_view sampler_name(const Project& project, const Input& input) {
+  if (input.wanted() == InputKind::cubemap) return "samplerCube";
+  if (input.wanted() == InputKind::volume) return "sampler3D";
+  if (input.kind == InputKind::pass &&
+      project.passes[static_cast<std::size_t>(input.pass)].kind == PassKind::cubemap)
+    return "samplerCube";
+  return "sampler2D";
+}
+
+class Head {
+ public:
+  Head(const std::vector<Token>& tokens) : tokens_(tokens) {}
+
+  void line(std::string_view line) { text_.append(line) += '\n'; }
+  void text(std::string_view lines) { text_ += lines; }
+  // A uniform, unless the user's text declares it as well. A macro of its name may use it.
+  void uniform(const std::string_view type, const std::string& name, int count = 1) {
+    if (declares(tokens_, name, false)) return;
+    const std::string size = count > 1 ? "[" + std::to_string(count) + "]" : "";
+    line("uniform " + std::string(type) + " " + name + size + ";");
+  }
+  void macro(const std::string& name, std::string_view value) {
+    if (!declares(tokens_, name)) line("#define " + name + " " + std::string(value));
+  }
+  // What one of the hosts does not have: only for texts that use it.
+  bool wanted(std::string_view name) const { return mentions(tokens_, name) && !declares(tokens_, name); }
+  std::string take() { return std::move(text_); }
+
+ private:
+  const std::vector<Token>& tokens_;
+  std::string text_;
+};
+
+void add_common_uniforms(Head& head) {
+  head.uniform("vec3", "iResolution");
+  head.uniform("float", "iTime");
+  head.uniform("float", "iTimeDelta");
+  head.uniform("int", "iFrame");
+  head.uniform("vec4", "iDate");
+  head.uniform("vec4", "iMouse");
+  head.uniform("float", "iSampleRate");
+}
+
+void add_channels(Head& head, const Project& project, const Pass& pass, int channels) {
+  head.uniform("vec3", "iChannelResolution", channels);
+  for (int i = 0; i < channels; ++i)
+    head.uniform(sampler_name(project, pass.inputs[static_cast<std::size_t>(i)]),
+                 "iChannel" + std::to_string(i));
+}
+
+// The names of GLSL ES 1.00 that three.js, which the extension draws with, gives to those of 3.00.
+void add_fragment_names(Head& head) {
+  head.macro("varying", "in");
+  head.macro("gl_FragColor", "shadertoy_out_color");
+  head.macro("gl_FragDepthEXT", "gl_FragDepth");
+  head.macro("GLSL_FRAGCOLOR", "gl_FragColor");
+}
+
+void add_vertex_names(Head& head) {
+  head.macro("attribute", "in");
+  head.macro("varying", "out");
+}
+
+void add_vscode(Head& head, const Project& project, const Pass& pass) {
+  add_common_uniforms(head);
+  head.uniform("vec4", "iMouseButton");
+  head.uniform("mat4", "iViewMatrix");
+  add_channels(head, project, pass, max_channels);
+  head.uniform("sampler2D", "iKeyboard");
+  if (head.wanted("iFrameRate")) head.uniform("float", "iFrameRate");
+  if (head.wanted("iChannelTime")) head.uniform("float", "iChannelTime", 4);
+  if (head.wanted("HW_PERFORMANCE")) head.line("#define HW_PERFORMANCE 1");
+  if (head.wanted("saturate")) head.line("#define saturate(a) clamp(a, 0.0, 1.0)");
+  for (const auto& [name, meaning] : legacy_names) head.macro(name, meaning);
+  for (const CustomUniform& uniform : project.uniforms) head.uniform(glsl_name(uniform.type), uniform.name);
+  if (pass.keyboard) head.text(keyboard_text());
+}
+
+void add_shadertoy(Head& head, const Project& project, const Pass& pass) {
+  head.line("#define HW_PERFORMANCE 1");
+  if (pass.kind == PassKind::sound) {
+    head.uniform("float", "iTimeOffset");
+    head.uniform("int", "iSampleOffset");
+    head.uniform("vec4", "iDate");
+    head.uniform("float", "iSampleRate");
+  } else {
+    add_common_uniforms(head);
+    head.uniform("float", "iFrameRate");
+    head.uniform("float", "iChannelTime", 4);
+  }
+  add_channels(head, project, pass, 4);
+  for (std::size_t i = 0; i < 4; ++i)
+    if (const std::string loaded = "shadertwin_loaded_" + std::to_string(i); head.wanted(loaded))
+      head.macro(loaded, pass.inputs[i].kind == InputKind::none ? "0" : "1");
+  for (const CustomUniform& uniform : project.uniforms) head.uniform(glsl_name(uniform.type), uniform.name);
+}
+
+// `file:1: error: message` about the file that the text is from.
+[[noreturn]] void fail_in(const Project& project, const Pass& pass, const PassSource& source,
+                          const std::string& message) {
+  // An own file is the one that the last line is from.
+  const int file = source.lines.empty() ? -1 : source.lines.back().file;
+  const std::string name = file < 0 ? pass.name : project.files[static_cast<std::size_t>(file)];
+  throw Error(ExitStatus::shader, name + ":1: error: " + message);
+}
+
+[[noreturn]] void fail_without_entry(const Project& project, const Pass& pass, const std::string& entry) {
+  fail_in(project, pass, pass.source, "there is no " + entry);
+}
+
+// main() for the kind of pass; none if it is the user's own.
+std::optional<MainText> choose_main(const Project& project, const Pass& pass, const EntryPoints& entry,
+                                    bool vr, bool asserts) {
+  const bool opaque = project.dialect == Dialect::shadertoy && pass.kind == PassKind::image;
+  if (pass.kind == PassKind::sound) {
+    if (!entry.sound) fail_without_entry(project, pass, "mainSound(in int, float)");
+    return sound_main(entry.sound_of_time);
+  }
+  if (pass.kind == PassKind::cubemap) {
+    if (!entry.cubemap) fail_without_entry(project, pass, "mainCubemap(out vec4, in vec2, in vec3, in vec3)");
+    return cubemap_main();
+  }
+  if (vr && pass.kind == PassKind::image) {
+    if (!entry.vr) fail_without_entry(project, pass, "mainVR(out vec4, in vec2, in vec3, in vec3)");
+    return vr_main(opaque);
+  }
+  if (entry.image && (!entry.main || pass.strict)) return image_main(opaque, asserts, entry.image_is_inout);
+  if (!entry.main) fail_without_entry(project, pass, "mainImage(out vec4, in vec2) and no main()");
+  return std::nullopt;
+}
+
+bool is_vertex_shader(const std::vector<Token>& tokens) {
+  return mentions(tokens, "gl_Position") && !mentions(tokens, "gl_FragCoord") &&
+         !mentions(tokens, "gl_FragColor") && !mentions(tokens, "GLSL_FRAGCOLOR");
+}
+
+// A vertex shader sees the uniforms of its pass.
+void wrap_vertex(const Project& project, const Pass& pass, PassSource& source) {
+  source.body = canonicalise(source.body, project.undefined);
+  const std::vector<Token> tokens = tokenize(source.body);
+  if (!find_entry_points(tokens).main) fail_in(project, pass, source, "a vertex shader needs a main()");
+  Head head(tokens);
+  head.macro("SHADER_TOY", "");
+  if (project.dialect == Dialect::shadertoy) {
+    add_shadertoy(head, project, pass);
+  } else {
+    add_vscode(head, project, pass);
+    add_vertex_names(head);
+  }
+  if (mentions(tokens, "shadertwin_nothing")) head.line("#define shadertwin_nothing");
+  source.head = head.take();
+}
+
+}  // namespace
+
+void write_host_text(const Project& project, Pass& pass, bool vr) {
+  pass.source.body = canonicalise(pass.source.body, project.undefined);
+  const std::vector<Token> tokens = tokenize(pass.source.body);
+  const EntryPoints entry = find_entry_points(tokens);
+  if (!entry.image && entry.main && is_vertex_shader(tokens))
+    fail_in(project, pass, pass.source,
+            "this is a vertex shader: a shader that is drawn names it by #iVertex");
+  const bool shadertoy = project.dialect == Dialect::shadertoy;
+  const bool asserts = shadertoy && pass.kind == PassKind::image && mentions(tokens, "st_assert");
+  pass.has_vr = entry.vr;
+  const std::optional<MainText> main = choose_main(project, pass, entry, vr, asserts);
+
+  Head head(tokens);
+  if (project.local) head.macro("SHADER_TOY", "");
+  if (shadertoy) {
+    add_shadertoy(head, project, pass);
+  } else {
+    add_vscode(head, project, pass);
+    add_fragment_names(head);
+  }
+  if (mentions(tokens, "shadertwin_nothing")) head.line("#define shadertwin_nothing");
+  pass.source.own_output = entry.output;
+  if (asserts) head.text(assert_text());
+  if (!main && shadertoy) head.line("#define gl_FragColor shadertoy_out_color");
+
+  // On shadertoy.com main() comes first; a macro called mainImage only works for a main() behind it, unless
+  // it makes the function's own head.
+  pass.source.tail.clear();
+  if (main && (shadertoy || entry.image_names_itself) && !entry.image_is_macro)
+    head.text(main->prototype + main->main);
+  else if (main && pass.kind != PassKind::image && pass.kind != PassKind::buffer)
+    pass.source.tail = main->prototype + main->main;
+  else if (main)
+    pass.source.tail = main->main;
+  pass.source.head = head.take();
+  if (pass.vertex.has_value()) wrap_vertex(project, pass, *pass.vertex);
+}
+
+}  // namespace shadertwin

@@ -1,0 +1,213 @@
+#include "host/text/make_precise.h"
+
+#include <algorithm>
+#include <set>
+
+#include "host/text/rewritten_lines.h"
+#include "host/text/syntax_tree.h"
+
+namespace shadertwin {
+namespace emit {
+namespace {
+
+// Variables of every function that take what no variable of the user's takes. A compiler keeps to the order
+// of what is assigned to a precise variable, but not of what is returned or tested directly.
+constexpr const char* result = "shadertwin_result";
+constexpr const char* test = "shadertwin_test";
+
+// What GLSL ES 3.20 has and 3.00 leaves to the shader: keywords and built-in functions.
+const std::set<std::string>& claimed_names() {
+  static const std::set<std::string> names = {"atomicAdd",
+                                              "atomicAnd",
+                                              "atomicCompSwap",
+                                              "atomicCounter",
+                                              "atomicExchange",
+                                              "atomicMax",
+                                              "atomicMin",
+                                              "atomicOr",
+                                              "atomicXor",
+                                              "atomic_uint",
+                                              "barrier",
+                                              "bitCount",
+                                              "bitfieldExtract",
+                                              "bitfieldInsert",
+                                              "bitfieldReverse",
+                                              "buffer",
+                                              "coherent",
+                                              "findLSB",
+                                              "findMSB",
+                                              "fma",
+                                              "frexp",
+                                              "image2D",
+                                              "image2DArray",
+                                              "image3D",
+                                              "imageBuffer",
+                                              "imageCube",
+                                              "imageCubeArray",
+                                              "imageAtomicAdd",
+                                              "imageLoad",
+                                              "imageSize",
+                                              "imageStore",
+                                              "imulExtended",
+                                              "interpolateAtCentroid",
+                                              "interpolateAtOffset",
+                                              "interpolateAtSample",
+                                              "isamplerBuffer",
+                                              "ldexp",
+                                              "memoryBarrier",
+                                              "packSnorm4x8",
+                                              "packUnorm4x8",
+                                              "patch",
+                                              "precise",
+                                              "readonly",
+                                              "restrict",
+                                              "sample",
+                                              "samplerBuffer",
+                                              "samplerCubeArray",
+                                              "shared",
+                                              "texture2D",
+                                              "textureGather",
+                                              "textureGatherOffset",
+                                              "textureGatherOffsets",
+                                              "uaddCarry",
+                                              "umulExtended",
+                                              "unpackSnorm4x8",
+                                              "unpackUnorm4x8",
+                                              "usamplerBuffer",
+                                              "usubBorrow",
+                                              "volatile",
+                                              "writeonly"};
+  return names;
+}
+
+class PreciseText {
+ public:
+  explicit PreciseText(const SyntaxTree& tree)
+      : tokens_(tree.tokens()), declarations_(tree.declarations()), edits_(tokens_) {
+    for (int i = 0; i < size(); ++i) {
+      if (claimed_names().count(text(i)) != 0) after_[i] = "_";
+      if (declarations_.is_declaration(i)) mark_declaration(i);
+    }
+    mark_statements();
+  }
+
+  std::vector<std::string> lines(int line_count) const { return edits_.lines(line_count); }
+
+ private:
+  int size() const { return static_cast<int>(tokens_.size()); }
+  const std::string& text(int token) const {
+    static const std::string none;
+    return token >= 0 && token < size() ? tokens_[token].text : none;
+  }
+
+  // `precise` stands in front of all that belongs to the declaration of token `name`.
+  void mark_declaration(int name) {
+    int start = name;
+    int depth = 0;
+    while (start > 0) {
+      const std::string& previous = text(start - 1);
+      if (previous == ")" || previous == "]") ++depth;
+      if ((previous == "(" || previous == "[") && depth-- == 0) break;
+      if (depth <= 0 && (previous == ";" || previous == "{" || previous == "}" || previous == "," ||
+                         previous == ":" || previous == "else" || previous == "do" || previous[0] == '#'))
+        break;
+      // The header of a loop or a condition ends in front of the statement; layout(...) does not.
+      if (previous == ")" && depth == 1 && text(opening(start - 1) - 1) != "layout") break;
+      --start;
+    }
+    static const std::set<std::string> not_computed = {"const",     "uniform",   "in",
+                                                       "sampler2D", "sampler3D", "samplerCube"};
+    bool is_parameter = text(start - 1) == "(" || text(start - 1) == ",";
+    if (start == name) return;  // a further name of a declaration
+    for (int i = start; i < name; ++i) {
+      const bool reads_only = text(i) == "in" || text(i) == "const";
+      if (text(i) == "struct" || (not_computed.count(text(i)) != 0 && !(is_parameter && reads_only))) return;
+    }
+    before_[start] = "precise " + before_[start];
+  }
+
+  int opening(int closing) const {
+    int depth = 0;
+    for (int i = closing; i >= 0; --i) {
+      if (text(i) == ")") ++depth;
+      if (text(i) == "(" && --depth == 0) return i;
+    }
+    return 0;
+  }
+
+  int closing(int opening) const {
+    int depth = 0;
+    for (int i = opening; i < size(); ++i) {
+      if (text(i) == "(") ++depth;
+      if (text(i) == ")" && --depth == 0) return i;
+    }
+    return size() - 1;
+  }
+
+  int end_of_statement(int token) const {
+    while (token < size() && text(token) != ";") ++token;
+    return token;
+  }
+
+  void assign(const std::string& variable, int first, int end) {
+    if (first >= end || declares(first, end)) return;
+    before_[first] = "(" + variable + " = (" + before_[first];
+    after_[end - 1] += "))";
+  }
+
+  bool declares(int first, int end) const {
+    for (int i = first; i < end; ++i) {
+      if (declarations_.is_declaration(i)) return true;
+    }
+    return false;
+  }
+
+  void mark_statements() {
+    int depth = 0;
+    int start = 0;  // of what stands outside of functions
+    bool returns_one_value = false;
+    for (int i = 0; i < size(); ++i) {
+      const std::string& token = text(i);
+      if (token == "{" && depth++ == 0) {
+        const bool is_function = text(i - 1) == ")";
+        returns_one_value = is_function && text(start) != "void" && text(start + 1) != "[";
+        if (is_function) after_[i] += std::string(" precise bool ") + test + ";";
+        if (returns_one_value) after_[i] += " precise " + text(start) + ' ' + result + ";";
+      }
+      if (token == "}") --depth;
+      if (depth == 0 && (token == ";" || token == "}" || token[0] == '#')) start = skip_qualifiers(i + 1);
+      if (depth == 0) continue;
+      if (token == "if" || token == "while") assign(test, i + 2, closing(i + 1));
+      if (token == "for") {
+        const int condition = end_of_statement(i) + 1;
+        assign(test, condition, end_of_statement(condition));
+      }
+      if (token == "return" && returns_one_value) assign(result, i + 1, end_of_statement(i));
+    }
+  }
+
+  int skip_qualifiers(int token) const {
+    static const std::set<std::string> precisions = {"highp", "mediump", "lowp"};
+    while (precisions.count(text(token)) != 0) ++token;
+    return token;
+  }
+
+  const std::vector<Token>& tokens_;
+  const Declarations& declarations_;
+  RewrittenLines edits_;
+  std::vector<std::string>& before_ = edits_.before;
+  std::vector<std::string>& after_ = edits_.after;
+};
+
+}  // namespace
+}  // namespace emit
+
+PassSource make_precise(const Project& project, const PassSource& source) {
+  const emit::SyntaxTree tree(project, source, emit::Folding::float32);
+  const emit::SectionLines sections(source);
+  PassSource result = sections.split(emit::PreciseText(tree).lines(sections.all()));
+  result.precise = true;
+  return result;
+}
+
+}  // namespace shadertwin

@@ -1,0 +1,28 @@
+// The way of a pass's text from the user's files to a device's compiler. Each stage takes a PassSource and
+// gives one; none looks for what another one wrote.
+//
+//   read_project      files, includes, directives      host/project/project.h
+//   canonicalise      WebGL's text as all take it      host/text/canonicalise.h
+//   write_host_text   uniforms and main()              host/text/host_text.h
+//   define_undefined  zero where GLSL gives anything   host/text/define_undefined.h
+//   make_precise      operations in the text's order   host/text/make_precise.h
+//   render            the whole text for a device      host/text/render.h
+//
+// load_project (host/text/load.h) runs the first three; the functions below choose among the others.
+#pragma once
+
+#include <vector>
+
+#include "host/project/project.h"
+
+namespace shadertwin {
+
+// What a driver is to compile, as Project::undefined and Project::precise ask: to be tried in this order,
+// since some driver may refuse what only browsers' rules add. The last one is the shader as it is written.
+// Throws Error(shader) if a precise text is asked for and the shader can't be read.
+std::vector<PassSource> driver_sources(const Project& project, const Pass& pass);
+
+// The same for the twin, which defines by itself what GLSL leaves undefined.
+PassSource twin_source(const Project& project, const Pass& pass);
+
+}  // namespace shadertwin

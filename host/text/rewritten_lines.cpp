@@ -1,0 +1,48 @@
+#include "host/text/rewritten_lines.h"
+
+#include <algorithm>
+
+#include "host/text/render.h"
+
+namespace shadertwin::emit {
+namespace {
+
+int line_count(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n')) +
+         (!text.empty() && text.back() != '\n' ? 1 : 0);
+}
+
+std::string joined(const std::vector<std::string>& lines, int first, int count) {
+  std::string text;
+  for (int i = first; i < first + count; ++i) text += lines[static_cast<std::size_t>(i)] + '\n';
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> RewrittenLines::lines(int count) const {
+  std::vector<std::string> lines(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    std::string& line = lines[static_cast<std::size_t>(std::clamp(tokens[i].line, 1, count) - 1)];
+    if (!line.empty()) line += ' ';
+    line += before[i] + tokens[i].text + after[i];
+  }
+  return lines;
+}
+
+SectionLines::SectionLines(const PassSource& source)
+    : source_(source),
+      front_(first_body_line(source) - 1 - line_count(source.head)),
+      head_(line_count(source.head)),
+      body_(line_count(source.body)),
+      tail_(line_count(source.tail)) {}
+
+PassSource SectionLines::split(const std::vector<std::string>& lines) const {
+  PassSource result = source_;
+  result.head = joined(lines, front_, head_);
+  result.body = joined(lines, front_ + head_, body_);
+  result.tail = joined(lines, front_ + head_ + body_, tail_);
+  return result;
+}
+
+}  // namespace shadertwin::emit

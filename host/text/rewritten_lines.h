@@ -1,0 +1,44 @@
+// A shader's tokens as lines again, with something put before or behind some of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/project/project.h"
+#include "host/text/plain_tokens.h"
+
+namespace shadertwin::emit {
+
+struct RewrittenLines {
+  explicit RewrittenLines(const std::vector<Token>& all)
+      : before(all.size()), after(all.size()), tokens(all) {}
+
+  // Line i holds the tokens of line i + 1.
+  std::vector<std::string> lines(int count) const;
+
+  std::vector<std::string> before;  // in front of the token of that number
+  std::vector<std::string> after;
+  const std::vector<Token>& tokens;
+};
+
+// Where head, body and tail of a pass begin and end in its rendered text.
+class SectionLines {
+ public:
+  explicit SectionLines(const PassSource& source);
+
+  int all() const { return front_ + head_ + body_ + tail_; }
+  bool in_body(int line) const {  // from 1
+    return line > front_ + head_ && line <= front_ + head_ + body_;
+  }
+  // What stands in front of the head is render()'s, and is left out.
+  PassSource split(const std::vector<std::string>& lines) const;
+
+ private:
+  const PassSource& source_;
+  int front_;
+  int head_;
+  int body_;
+  int tail_;
+};
+
+}  // namespace shadertwin::emit

@@ -1,0 +1,74 @@
+// A shader as glslang's typed tree, with the tokens that its nodes stand for.
+#pragma once
+
+#include <glslang/Public/ShaderLang.h>
+// The tree itself needs the two above it.
+#include <glslang/Include/intermediate.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/project/project.h"
+#include "host/text/declarations.h"
+#include "host/text/plain_tokens.h"
+
+namespace shadertwin::emit {
+
+// Whether constant expressions are folded in the float arithmetic that a GPU's compiler uses, or in double.
+enum class Folding { float32, float64 };
+
+// Whether a parse that fails tells its first error or all of them; later ones may follow from the first.
+enum class Errors { first, all };
+
+// Keeps glslang's tables alive. They are counted, so one that lives longer makes every other one cheap.
+class ParserLibrary {
+ public:
+  ParserLibrary() { glslang::InitializeProcess(); }
+  ~ParserLibrary() { glslang::FinalizeProcess(); }
+  ParserLibrary(const ParserLibrary&) = delete;
+  ParserLibrary& operator=(const ParserLibrary&) = delete;
+};
+
+// The tokens of a pass's whole text, preprocessed. Throws Error(shader). Needs a ParserLibrary.
+std::vector<Token> preprocess(const Project& project, const PassSource& source,
+                              Errors errors = Errors::first);
+
+class SyntaxTree {
+ public:
+  // Parses a pass's whole text, `#version 300 es` or `#version 320 es`. Throws Error(shader) with lines
+  // `file:line: error: text`.
+  SyntaxTree(const Project& project, const PassSource& source, Folding folding,
+             Errors errors = Errors::first);
+
+  // The sequence of everything global: initialisers, functions, and the list of global names.
+  const glslang::TIntermAggregate& root() const { return *root_; }
+  const std::vector<Token>& tokens() const { return tokens_; }
+  const Declarations& declarations() const { return *declarations_; }
+
+  // Whether the text says `precise`, so that a GPU's compiler keeps to the order of its operations.
+  bool is_precise() const { return is_precise_; }
+
+  // The token that a node stands for, -1 if it stands for none.
+  int token_of(const TIntermNode& node) const;
+  // The text of that token, empty if there is none.
+  const std::string& token_text(const TIntermNode& node) const;
+  // The user's own line of a node; file is -1 for the host's text.
+  SourceLine line_of(const TIntermNode& node) const;
+  SourceLine line_of_token(int token) const;
+  // `file:line` for messages about a node.
+  std::string place_of(const TIntermNode& node) const;
+
+ private:
+  const Project& project_;
+  const PassSource& source_;
+  int first_body_line_ = 0;
+  bool is_precise_ = false;
+  ParserLibrary library_;
+  std::unique_ptr<glslang::TShader> shader_;
+  std::vector<Token> tokens_;
+  std::unique_ptr<Declarations> declarations_;
+  const glslang::TIntermAggregate* root_ = nullptr;
+};
+
+}  // namespace shadertwin::emit

@@ -1,0 +1,58 @@
+#include "host/language/tokens.h"
+
+#include <gtest/gtest.h>
+
+namespace shadertwin {
+namespace {
+
+std::string joined(std::string_view text) {
+  std::string result;
+  for (const Token& token : tokenize(text))
+    result += (result.empty() ? "" : " ") + std::string(token.text) + "@" + std::to_string(token.line);
+  return result;
+}
+
+TEST(Tokens, CommentsAreSkippedAndLinesCounted) {
+  EXPECT_EQ(joined("a // b\nc /* d\ne */ f"), "a@1 c@2 f@3");
+  EXPECT_EQ(joined("/*/ still a comment */ a"), "a@1");
+  EXPECT_EQ(joined("// continued \\\n a\nb"), "b@3");
+}
+
+TEST(Tokens, ContinuedLinesKeepTheirPhysicalNumbers) {
+  EXPECT_EQ(joined("#define A \\\n 1\nB"), "#@1 define@1 A@1 1@2 B@3");
+  EXPECT_EQ(joined("#define A \\\r\n 1\r\nB"), "#@1 define@1 A@1 1@2 B@3");
+}
+
+TEST(Tokens, NumbersAreWhole) {
+  EXPECT_EQ(joined("1.5e-3f+.5 0x1F-1"), "1.5e-3f@1 +@1 .5@1 0x1F@1 -@1 1@1");
+}
+
+TEST(Tokens, AnApostropheEndsWithItsLine) {
+  const std::vector<Token> tokens = tokenize("#error don't\nint x;");
+  ASSERT_EQ(tokens.size(), 7U);
+  EXPECT_EQ(tokens[3].kind, Token::Kind::open_string);
+  EXPECT_EQ(tokens[4].text, "int");
+}
+
+TEST(Declares, SeesMacrosVariablesAndFunctionsButNoUses) {
+  const auto found = [](std::string_view text) { return declares(tokenize(text), "saturate"); };
+  EXPECT_TRUE(found("#define saturate(x) clamp(x, 0., 1.)"));
+  EXPECT_TRUE(found("float saturate(float x) { return x; }"));
+  EXPECT_TRUE(found("float a, saturate = 1.0;"));
+  EXPECT_TRUE(
+      found("#if 0\nvoid f() {\n#else\nvoid f() {\n#endif\n}\nfloat saturate(float x) { return x; }"));
+  EXPECT_FALSE(found("float f(float x) { return saturate(x); }"));
+  EXPECT_FALSE(found("#define twice(x) saturate(x)"));
+  EXPECT_FALSE(found("// float saturate(float x) {}"));
+  EXPECT_FALSE(declares(tokenize("#define saturate 1"), "saturate", false));
+}
+
+TEST(RenameIdentifiers, LeavesCommentsAndPartsOfWordsAlone) {
+  EXPECT_EQ(rename_identifiers(
+                "main(); mainImage(); // main\n main",
+                [](std::string_view name) -> std::string_view { return name == "main" ? "other" : name; }),
+            "other(); mainImage(); // main\n other");
+}
+
+}  // namespace
+}  // namespace shadertwin

@@ -1,0 +1,125 @@
+#include "host/text/canonicalise.h"
+
+#include <gtest/gtest.h>
+
+namespace shadertwin {
+namespace {
+
+TEST(Canonicalise, RenamesWordsOfLaterVersions) {
+  EXPECT_EQ(canonicalise("struct uint32_t { int x; };", Undefined::zero),
+            "struct shadertwin_uint32_t { int x; };");
+  EXPECT_EQ(canonicalise("float buffer, shared; // buffer\nbuffers.x = packed;", Undefined::zero),
+            "float shadertwin_buffer, shadertwin_shared; // buffer\nbuffers.x = shadertwin_packed;");
+}
+
+TEST(Canonicalise, RenamesOnlyOthersBuiltinsThatTheShaderDefines) {
+  EXPECT_EQ(canonicalise("float fma(float a) { return fma(a); }", Undefined::zero),
+            "float shadertwin_fma(float a) { return shadertwin_fma(a); }");
+  EXPECT_EQ(canonicalise("float f() { return fma(1., 2., 3.); }", Undefined::zero),
+            "float f() { return fma(1., 2., 3.); }");
+  EXPECT_EQ(canonicalise("float f() { if (b) return bitCount(1); }", Undefined::zero),
+            "float f() { if (b) return bitCount(1); }");
+}
+
+TEST(Canonicalise, NamesParametersWithoutOne) {
+  EXPECT_EQ(canonicalise("float f(vec2, in float[3], float[2] x, T) {}", Undefined::zero),
+            "float f(vec2 shadertwin_unnamed_0, in float[3] shadertwin_unnamed_1, float[2] x, T "
+            "shadertwin_unnamed_2) {}");
+  EXPECT_EQ(canonicalise("float f(vec2); float g(void) {} float h() {}", Undefined::zero),
+            "float f(vec2); float g(void) {} float h() {}");
+  EXPECT_EQ(canonicalise("#define f(a) f(vec2 a)\nfloat f(p) {}", Undefined::zero),
+            "#define f(a) f(vec2 a)\nfloat f(p) {}");
+  EXPECT_EQ(canonicalise("#define P vec2 p\nfloat f(P) {}", Undefined::zero),
+            "#define P vec2 p\nfloat f(P) {}");
+}
+
+TEST(Canonicalise, DropsWhatFollowsADirective) {
+  EXPECT_EQ(canonicalise("#ifdef A B\n#else A // c\n#endif A\n", Undefined::zero),
+            "#ifdef A \n#else  // c\n#endif \n");
+  EXPECT_EQ(canonicalise("#ifdef A\n#endif buffer\nint x;\n", Undefined::zero),
+            "#ifdef A\n#endif \nint x;\n");
+  EXPECT_EQ(canonicalise("#if A > 1\n#elif B\n#endif\n#endif", Undefined::zero),
+            "#if A > 1\n#elif B\n#endif\n#endif");
+}
+
+TEST(Canonicalise, DropsAHashInAMacro) {
+  EXPECT_EQ(canonicalise("#define S(x) #x\n#define P(a, b) a##b\n", Undefined::zero),
+            "#define S(x) x\n#define P(a, b) a##b\n");
+}
+
+TEST(Canonicalise, ZeroesOutputsWhereTheirFunctionStarts) {
+  EXPECT_EQ(canonicalise("void f(out vec3 a, inout vec2 b, out lowp int c)\n{", Undefined::zero),
+            "void f(out vec3 a, inout vec2 b, out  int c)\n{ a = vec3(0); c = int(0);");
+  EXPECT_EQ(canonicalise("void f(out T a, out float b[2], out float[2] c) {", Undefined::zero),
+            "void f(out T a, out float b[2], out float[2] c) {");
+  EXPECT_EQ(canonicalise("void f(out vec3 a) {", Undefined::raw), "void f(out vec3 a) {");
+}
+
+TEST(Canonicalise, LeavesWhatThePreprocessorChoosesAlone) {
+  const std::string text = "#if A\nvoid f(out vec3 a)\n#else\nvoid f(out vec3 b)\n#endif\n{";
+  EXPECT_EQ(canonicalise(text, Undefined::zero), text);
+  const std::string parameters = "void f(out vec3 a\n#if A\n, out vec3 b\n#endif\n) {";
+  EXPECT_EQ(canonicalise(parameters, Undefined::zero), parameters);
+}
+
+TEST(Canonicalise, DropsPrecisions) {
+  EXPECT_EQ(canonicalise("precision highp int;\nlowp vec2 f(mediump float x);", Undefined::zero),
+            "  \n vec2 f( float x);");
+  EXPECT_EQ(canonicalise("precision  sampler2DArray;", Undefined::zero), "precision  sampler2DArray;");
+  EXPECT_EQ(canonicalise("#define P precision highp int;\n", Undefined::zero),
+            "#define P precision highp int;\n");
+}
+
+TEST(Canonicalise, DropsQuotesAndOddSpaces) {
+  EXPECT_EQ(canonicalise("#if 0\ndon't \"\n'a \"b'\n#endif\f\v", Undefined::zero),
+            "#if 0\ndon t  \n a  b \n#endif  ");
+}
+
+TEST(Canonicalise, RenamesGlobalVariablesNamedAsBuiltins) {
+  EXPECT_EQ(
+      canonicalise("float a = step(1., 2.), step = .1;\nvoid f() { a = step; t.step(0); }", Undefined::zero),
+      "float a = step(1., 2.), shadertwin_step = .1;\nvoid f() { a = shadertwin_step; t.step(0); }");
+  EXPECT_EQ(canonicalise("void f(float step) { float mix = step; }", Undefined::zero),
+            "void f(float step) { float mix = step; }");
+}
+
+TEST(Canonicalise, RenamesOverloadsOfOpenBuiltinsAndForwardsTheOthers) {
+  const std::string text = canonicalise(
+      "float mix(float a, in float b, float t) { return a; }\nvoid f() { mix(a, b, c); }", Undefined::zero);
+  EXPECT_EQ(text.find("float shadertwin_mix(float a, float b, float c)"), std::string::npos) << text;
+  EXPECT_NE(text.find("vec2 shadertwin_mix(vec2 a, vec2 b, float c) { return mix(a, b, c); } "),
+            std::string::npos);
+  EXPECT_NE(text.find("float shadertwin_mix(float a, in float b, float t) { return a; }\nvoid f() { "
+                      "shadertwin_mix(a, b, c); }"),
+            std::string::npos)
+      << text;
+}
+
+TEST(Canonicalise, GivesTheLastLabelAStatement) {
+  EXPECT_EQ(canonicalise("switch (k) { case 1: ; case 2: ; }", Undefined::zero),
+            "switch (k) { case 1: ; case 2: break; ; }");
+  EXPECT_EQ(canonicalise("switch (k) { case 1: {} default: { {;} } }", Undefined::zero),
+            "switch (k) { case 1: {} default: break; { {;} } }");
+}
+
+TEST(Canonicalise, RenamesMembersCalledLength) {
+  EXPECT_EQ(
+      canonicalise(
+          "struct S { float length, x; };\nfloat f(S s) { return s.length + length(s.x) + a.length(); }",
+          Undefined::zero),
+      "struct S { float shadertwin_length, x; };\nfloat f(S s) { return s.shadertwin_length + length(s.x) + "
+      "a.length(); }");
+}
+
+TEST(Canonicalise, GivesMacrosOfOneParameterSomethingEmpty) {
+  EXPECT_EQ(canonicalise("#define G(x) x\n#define H() 1\nG() G(1) H()", Undefined::zero),
+            "#define G(x) x\n#define H() 1\nG(shadertwin_nothing) G(1) H()");
+}
+
+TEST(Canonicalise, LetsTheHostSetTheColourThatAMacroDeclares) {
+  EXPECT_EQ(canonicalise("#define M void mainImage(out vec4 O, vec2 u)\nM {", Undefined::zero),
+            "#define M void mainImage(inout vec4 O, vec2 u)\nM {");
+}
+
+}  // namespace
+}  // namespace shadertwin
