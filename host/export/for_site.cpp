@@ -7,8 +7,8 @@
 #include "host/export/export.h"
 #include "host/language/tokens.h"
 #include "host/project/write_json.h"
-#include "host/text/host_text.h"
 #include "host/text/keyboard_text.h"
+#include "host/text/legacy_names.h"
 
 namespace shadertwin {
 
@@ -29,7 +29,7 @@ constexpr std::array<std::pair<std::string_view, const char*>, 4> key_functions 
 // The knobs of the command line stand in front of every pass, as lines of no file.
 std::string knobs(const Project& project) {
   const PassSource& source = project.passes.back().source;
-  std::istringstream body(source.body);
+  std::istringstream body(source.written);
   std::string text;
   std::string line;
   for (std::size_t i = 0; i < source.lines.size() && source.lines[i].file < 0 && std::getline(body, line);

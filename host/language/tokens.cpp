@@ -1,6 +1,7 @@
 #include "host/language/tokens.h"
 
 #include <algorithm>
+#include <array>
 
 namespace shadertwin {
 
@@ -16,9 +17,14 @@ bool in_word(char c) {
   return starts_word(c) || is_digit(c);
 }
 
+// Longest first.
+constexpr std::array<std::string_view, 22> long_operators = {
+    "<<=", ">>=", "++", "--", "<<", ">>", "<=", ">=", "==", "!=", "&&",
+    "||",  "^^",  "+=", "-=", "*=", "/=", "%=", "&=", "^=", "|=", "::"};
+
 class Scanner {
  public:
-  explicit Scanner(std::string_view text) : text_(text) {}
+  Scanner(std::string_view text, const TokenizeOptions& options) : text_(text), options_(options) {}
 
   std::vector<Token> run() {
     while (skip_space()) scan();
@@ -29,6 +35,7 @@ class Scanner {
   char at(std::size_t i) const { return i < text_.size() ? text_[i] : '\0'; }
 
   void newline() {
+    if (options_.line_ends) push(Token::Kind::line_end, 1);
     ++line_;
     first_ = true;
     preprocessor_ = false;
@@ -43,11 +50,14 @@ class Scanner {
 
   // To the next token. False at the end of the text.
   bool skip_space() {
+    space_ = at_ == 0;
     while (at_ < text_.size()) {
       if (const std::size_t hidden = continuation(at_)) {
         at_ += hidden;
         ++line_;
-      } else if (text_[at_] == '\n') {
+        continue;
+      }
+      if (text_[at_] == '\n') {
         newline();
         ++at_;
       } else if (text_[at_] == ' ' || (text_[at_] >= '\t' && text_[at_] <= '\r')) {
@@ -59,6 +69,7 @@ class Scanner {
       } else {
         return true;
       }
+      space_ = true;
     }
     return false;
   }
@@ -75,41 +86,70 @@ class Scanner {
   void skip_block_comment() {
     const std::size_t close = text_.find("*/", at_ + 2);
     const std::size_t end = close == std::string_view::npos ? text_.size() : close + 2;
+    if (close == std::string_view::npos && options_.line_ends)
+      push(Token::Kind::open_comment, text_.size() - at_);
     line_ += static_cast<int>(std::count(text_.begin() + static_cast<std::ptrdiff_t>(at_),
                                          text_.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
     at_ = end;
   }
 
-  void scan() {
+  void push(Token::Kind kind, std::size_t length) {
     Token token;
+    token.kind = kind;
+    token.text = text_.substr(at_, length);
     token.begin = at_;
     token.line = line_;
     token.first = first_;
-    std::size_t end = at_ + 1;
+    token.preprocessor = preprocessor_;
+    token.space_before = space_;
+    tokens_.push_back(token);
+  }
+
+  void scan() {
     const char c = text_[at_];
+    Token::Kind kind = Token::Kind::punctuation;
+    std::size_t end = at_ + 1;
     if (starts_word(c)) {
-      token.kind = Token::Kind::identifier;
+      kind = Token::Kind::identifier;
       while (in_word(at(end))) ++end;
     } else if (is_digit(c) || (c == '.' && is_digit(at(end)))) {
-      token.kind = Token::Kind::number;
-      while (in_word(at(end)) || at(end) == '.' || exponent_sign(end)) ++end;
-    } else if (c == '"' || c == '\'') {
-      token.kind = scan_string(c, end);
-    } else if (c == ':' && at(end) == ':') {
-      ++end;
+      kind = Token::Kind::number;
+      end = number_end();
+    } else if (options_.strings && (c == '"' || c == '\'')) {
+      kind = scan_string(c, end);
+    } else {
+      const std::string_view rest = text_.substr(at_, 3);
+      for (const std::string_view op : long_operators)
+        if (rest.starts_with(op)) {
+          end = at_ + op.size();
+          break;
+        }
     }
     if (c == '#' && first_) preprocessor_ = true;
-    token.preprocessor = preprocessor_;
-    token.text = text_.substr(at_, end - at_);
-    tokens_.push_back(token);
+    push(kind, end - at_);
     first_ = false;
     at_ = end;
   }
 
-  bool exponent_sign(std::size_t i) const {
-    if (at(i) != '+' && at(i) != '-') return false;
-    const bool hexadecimal = at(at_) == '0' && (at(at_ + 1) == 'x' || at(at_ + 1) == 'X');
-    return !hexadecimal && (at(i - 1) == 'e' || at(i - 1) == 'E');
+  // Digits, letters and points, as far as they go: 1.x and 08 are one token, too. A sign belongs to it only
+  // within the exponent of a decimal number, which it can't be followed by more than digits and an f.
+  std::size_t number_end() const {
+    std::size_t end = at_;
+    bool decimal = true;
+    int points = 0;
+    while (in_word(at(end)) || at(end) == '.') {
+      const char c = at(end);
+      if (decimal && (c == 'e' || c == 'E') && (at(end + 1) == '+' || at(end + 1) == '-') &&
+          is_digit(at(end + 2))) {
+        end += 2;
+        while (is_digit(at(end))) ++end;
+        return at(end) == 'f' || at(end) == 'F' ? end + 1 : end;
+      }
+      points += c == '.' ? 1 : 0;
+      decimal = decimal && (is_digit(c) || c == '.') && points < 2;
+      ++end;
+    }
+    return end;
   }
 
   Token::Kind scan_string(char quote, std::size_t& end) const {
@@ -126,17 +166,19 @@ class Scanner {
   }
 
   std::string_view text_;
+  TokenizeOptions options_;
   std::vector<Token> tokens_;
   std::size_t at_ = 0;
   int line_ = 1;
   bool first_ = true;
   bool preprocessor_ = false;
+  bool space_ = false;
 };
 
 }  // namespace
 
-std::vector<Token> tokenize(std::string_view text) {
-  return Scanner(text).run();
+std::vector<Token> tokenize(std::string_view text, const TokenizeOptions& options) {
+  return Scanner(text, options).run();
 }
 
 bool mentions(const std::vector<Token>& tokens, std::string_view name) {

@@ -86,6 +86,8 @@ struct PassSource {
   std::vector<SourceLine> lines;
   std::string helpers;      // functions that rewritten code calls, without a line end
   bool own_output = false;  // the body declares the output
+  std::string written;      // the body before its directives and macros were resolved, line for line
+  std::string refused;      // lines `file:line: error: text` of what browsers refuse in them
   bool precise = false;     // for GLSL ES 3.20, with `precise` on what is computed
 };
 

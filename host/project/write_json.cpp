@@ -149,7 +149,7 @@ class Writer {
 
   Json write_pass(const Pass& pass, int index) {
     const bool picture = pass.kind == PassKind::image || pass.kind == PassKind::buffer;
-    const EntryPoints entry = find_entry_points(tokenize(pass.code));
+    const EntryPoints entry = find_entry_points(tokenize(pass.source.body));
     if (picture && entry.main && !entry.image)
       fail(pass, "shadertoy.com needs mainImage(), and this has main()");
     Json inputs = Json::array();

@@ -34,24 +34,18 @@ class Rewriter {
     rename_variables();
     rename_open_builtins();
     rename_length_members();
-    const bool by_macro = zero_outputs_ && macro_makes_image();
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       const Token& token = tokens_[i];
-      if (by_macro && opens_image(i)) edits_.push_back({tokens_[i + 2].begin, 0, "in"});
-      if (token.preprocessor && token.first && token.is("#")) fix_directive(i);
+      if (token.preprocessor) continue;  // #extension or #pragma
       if (token.kind == Token::Kind::identifier &&
           (later_words().contains(token.text) || renamed_.contains(token.text)))
         edits_.push_back({token.begin, 0, "shadertwin_"});
       if (token.kind == Token::Kind::identifier && token.text.starts_with("iCh")) fix_channel_struct(i);
       if (token.is("(") && opens_function(i)) fix_function(i);
-      if (token.is("precision") && !token.preprocessor) drop_precision(i);
-      if (is_precision(token) && !token.preprocessor) drop(i);
-      if (token.kind == Token::Kind::string || token.kind == Token::Kind::open_string) drop_quotes(token);
+      if (token.is("precision")) drop_precision(i);
+      if (is_precision(token)) drop(i);
       // The last label of a switch needs a statement that does something.
       if (token.is(":") && only_empty_follows(i)) edits_.push_back({token.end(), 0, " break;"});
-      if (one_parameter_.contains(token.text) && i + 2 < tokens_.size() && tokens_[i + 1].is("(") &&
-          tokens_[i + 2].is(")"))
-        edits_.push_back({tokens_[i + 2].begin, 0, "shadertwin_nothing"});
     }
     return apply();
   }
@@ -62,24 +56,13 @@ class Rewriter {
   // Whether a switch ends after the label, with no more than empty statements and blocks before.
   bool only_empty_follows(std::size_t label) const {
     int depth = 0;
-    for (std::size_t i = label + 1; i < tokens_.size() && !tokens_[i].preprocessor; ++i) {
+    for (std::size_t i = label + 1; i < tokens_.size(); ++i) {
       if (tokens_[i].is("}") && depth-- == 0) return i > label + 1;
       if (tokens_[i].is("{"))
         ++depth;
       else if (!tokens_[i].is(";") && !tokens_[i].is("}"))
         return false;
     }
-    return false;
-  }
-
-  // `mainImage(out`
-  bool opens_image(std::size_t i) const {
-    return i + 2 < tokens_.size() && tokens_[i].is("mainImage") && tokens_[i + 1].is("(") &&
-           tokens_[i + 2].is("out");
-  }
-  bool macro_makes_image() const {
-    for (std::size_t i = 0; i < tokens_.size(); ++i)
-      if (tokens_[i].preprocessor && opens_image(i)) return true;
     return false;
   }
 
@@ -97,11 +80,6 @@ class Rewriter {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       if (tokens_[i].is("(") && opens_function(i) && other_builtins().contains(tokens_[i - 1].text))
         renamed_.insert(tokens_[i - 1].text);
-      if (i < 2 || !tokens_[i - 1].is("define") || !tokens_[i - 2].is("#")) continue;
-      macros_.insert(tokens_[i].text);
-      if (i + 3 < tokens_.size() && tokens_[i + 1].is("(") && tokens_[i + 1].begin == tokens_[i].end() &&
-          is_word(i + 2) && tokens_[i + 3].is(")"))
-        one_parameter_.insert(tokens_[i].text);
     }
   }
 
@@ -119,11 +97,6 @@ class Rewriter {
     drop(i + 3);
   }
 
-  void drop_quotes(const Token& token) {
-    for (std::size_t i = 0; i < token.text.size(); ++i)
-      if (token.text[i] == '"' || token.text[i] == '\'') edits_.push_back({token.begin + i, 1, " "});
-  }
-
   void rename(std::size_t i) { edits_.push_back({tokens_[i].begin, 0, "shadertwin_"}); }
 
   // A global variable may have a built-in function's name: from there on, whatever is not called means it.
@@ -133,12 +106,12 @@ class Rewriter {
     for (std::size_t i = 1; i + 1 < tokens_.size(); ++i) {
       const Token& token = tokens_[i];
       const Token& next = tokens_[i + 1];
-      if (token.is("{") || token.is("(")) depth += token.preprocessor ? 0 : 1;
-      if (token.is("}") || token.is(")")) depth = std::max(depth - (token.preprocessor ? 0 : 1), 0);
+      if (token.is("{") || token.is("(")) ++depth;
+      if (token.is("}") || token.is(")")) depth = std::max(depth - 1, 0);
       const bool is_builtin = builtins().contains(token.text) || other_builtins().contains(token.text);
       if (!is_word(i) || !is_builtin) continue;
       const Token& before = tokens_[i - 1];
-      const bool declared = depth == 0 && !token.preprocessor && !before.preprocessor &&
+      const bool declared = depth == 0 && !before.preprocessor &&
                             (is_word(i - 1) || before.is("]") || before.is(",")) &&
                             (next.is("=") || next.is(";") || next.is(",") || next.is("["));
       if (declared) names.insert(token.text);
@@ -230,31 +203,11 @@ class Rewriter {
       edits_.push_back({tokens_[i].begin, member.end() - tokens_[i].begin, by});
   }
 
-  void fix_directive(std::size_t hash) {
-    std::size_t end = hash + 1;
-    while (end < tokens_.size() && tokens_[end].preprocessor && !(tokens_[end].first && tokens_[end].is("#")))
-      ++end;
-    if (hash + 1 >= end) return;
-    const Token& word = tokens_[hash + 1];
-    std::size_t extra = end;
-    if (word.is("else") || word.is("endif")) extra = hash + 2;
-    if (word.is("ifdef") || word.is("ifndef")) extra = hash + 3;
-    for (std::size_t i = extra; i < end; ++i)
-      edits_.push_back({tokens_[i].begin, tokens_[i].text.size(), ""});
-    if (!word.is("define")) return;
-    for (std::size_t i = hash + 3; i < end; ++i) {
-      const bool pasted = tokens_[i - 1].is("#") || (i + 1 < end && tokens_[i + 1].is("#"));
-      if (tokens_[i].is("#") && !pasted) edits_.push_back({tokens_[i].begin, 1, ""});
-    }
-  }
-
   // The parameters of a definition; a prototype may stay as it is.
   void fix_function(std::size_t open) {
-    if (macros_.contains(tokens_[open - 1].text)) return;
     std::size_t close = open;
     int depth = 0;
     for (; close < tokens_.size(); ++close) {
-      if (tokens_[close].preprocessor) return;  // what is chosen there can't be known here
       if (tokens_[close].is("(")) ++depth;
       if (tokens_[close].is(")") && --depth == 0) break;
       if (tokens_[close].is("{") || tokens_[close].is(";")) return;
@@ -283,9 +236,9 @@ class Rewriter {
                                    tokens_.begin() + static_cast<std::ptrdiff_t>(end),
                                    [](const Token& token) { return token.is("["); });
     const bool unnamed = begin + 1 == end || (tokens_[begin + 1].is("[") && tokens_[end - 1].is("]"));
-    if (unnamed && type != "void" && !macros_.contains(type)) {
+    if (unnamed && type != "void") {
       edits_.push_back({tokens_[end - 1].end(), 0, " shadertwin_unnamed_" + std::to_string(unnamed_++)});
-    } else if (out && !array && begin + 2 == end && value_types().contains(type) && !macros_.contains(type)) {
+    } else if (out && !array && begin + 2 == end && value_types().contains(type)) {
       const std::string name(tokens_[begin + 1].text);
       const bool word = later_words().contains(name);
       zeros += " " + std::string(word ? "shadertwin_" : "") + name + " = " + std::string(type) + "(0);";
@@ -310,18 +263,13 @@ class Rewriter {
   std::vector<Token> tokens_;
   std::vector<Edit> edits_;
   std::set<std::string_view> renamed_;
-  std::set<std::string_view> macros_;
-  std::set<std::string_view> one_parameter_;  // macros
   int unnamed_ = 0;
 };
 
 }  // namespace
 
 std::string canonicalise(std::string_view text, Undefined undefined) {
-  std::string spaced(text);
-  std::replace_if(
-      spaced.begin(), spaced.end(), [](char c) { return c == '\v' || c == '\f'; }, ' ');
-  return Rewriter(spaced, undefined == Undefined::zero).run();
+  return Rewriter(text, undefined == Undefined::zero).run();
 }
 
 }  // namespace shadertwin

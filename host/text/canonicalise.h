@@ -9,27 +9,23 @@
 
 namespace shadertwin {
 
-// No line is added or taken away. What changes:
+// `text`: preprocessed. No line is added or taken away. What changes:
 // - identifiers that are words of the language only in later versions (`buffer`, `shared`, `packed`,
 // `precise`,
 //   `dmat3` ...), and functions named as built-ins of later versions (`fma`, `bitCount` ...) or of GLSL
 //   ES 1.00
 //   (`texture2D` ...), get the prefix "shadertwin_";
 // - a function's parameter without a name gets one;
-// - what follows #else, #endif and the name of #ifdef or #ifndef is dropped, and so is a # in a macro's text;
-// - `lowp`, `mediump`, `highp` and `precision` go: the head asks for highp, and declarations that differ in
+// - `lowp`, `mediump`, `highp` and `precision` go: render() asks for highp, and declarations that differ in
 //   precision only are taken for different functions elsewhere;
-// - quotes go: browsers never read what the preprocessor skips;
 // - a global variable named as a built-in function gets the prefix, and so do functions that overload those
-//   few built-ins which browsers leave open (`mix`, `texture` ...);
+// few
+//   built-ins which browsers leave open (`mix`, `texture` ...);
 // - an empty statement behind the last label of a `switch` becomes `break`;
 // - a member called `length` of a structure gets the prefix;
-// - a macro of one parameter that is called with nothing is called with shadertwin_nothing, which the head
-//   defines;
 // - shadertoy.com's iChN.sampler, .size, .time and .loaded become iChannelN, iChannelResolution[N],
-// iChannelTime[N] and
-//   shadertwin_loaded_N (0 or 1);
-// - where a macro makes mainImage, its `out` becomes `inout`, so that it starts as the host sets it;
+// iChannelTime[N]
+//   and shadertwin_loaded_N (0 or 1);
 // - with Undefined::zero, an `out` parameter of a built-in type starts as zero.
 std::string canonicalise(std::string_view text, Undefined undefined);
 

@@ -5,9 +5,9 @@
 #include "host/base/error.h"
 #include "host/language/entry_points.h"
 #include "host/language/tokens.h"
-#include "host/text/canonicalise.h"
 #include "host/text/keyboard_text.h"
 #include "host/text/main_text.h"
+#include "host/text/resolve_macros.h"
 
 namespace shadertwin {
 
@@ -87,19 +87,6 @@ void add_channels(Head& head, const Project& project, const Pass& pass, int chan
                  "iChannel" + std::to_string(i));
 }
 
-// The names of GLSL ES 1.00 that three.js, which the extension draws with, gives to those of 3.00.
-void add_fragment_names(Head& head) {
-  head.macro("varying", "in");
-  head.macro("gl_FragColor", "shadertoy_out_color");
-  head.macro("gl_FragDepthEXT", "gl_FragDepth");
-  head.macro("GLSL_FRAGCOLOR", "gl_FragColor");
-}
-
-void add_vertex_names(Head& head) {
-  head.macro("attribute", "in");
-  head.macro("varying", "out");
-}
-
 void add_vscode(Head& head, const Project& project, const Pass& pass) {
   add_common_uniforms(head);
   head.uniform("vec4", "iMouseButton");
@@ -108,15 +95,12 @@ void add_vscode(Head& head, const Project& project, const Pass& pass) {
   head.uniform("sampler2D", "iKeyboard");
   if (head.wanted("iFrameRate")) head.uniform("float", "iFrameRate");
   if (head.wanted("iChannelTime")) head.uniform("float", "iChannelTime", 4);
-  if (head.wanted("HW_PERFORMANCE")) head.line("#define HW_PERFORMANCE 1");
   if (head.wanted("saturate")) head.line("#define saturate(a) clamp(a, 0.0, 1.0)");
-  for (const auto& [name, meaning] : legacy_names) head.macro(name, meaning);
   for (const CustomUniform& uniform : project.uniforms) head.uniform(glsl_name(uniform.type), uniform.name);
   if (pass.keyboard) head.text(keyboard_text());
 }
 
 void add_shadertoy(Head& head, const Project& project, const Pass& pass) {
-  head.line("#define HW_PERFORMANCE 1");
   if (pass.kind == PassKind::sound) {
     head.uniform("float", "iTimeOffset");
     head.uniform("int", "iSampleOffset");
@@ -134,9 +118,17 @@ void add_shadertoy(Head& head, const Project& project, const Pass& pass) {
   for (const CustomUniform& uniform : project.uniforms) head.uniform(glsl_name(uniform.type), uniform.name);
 }
 
+void add_uniforms(Head& head, const Project& project, const Pass& pass) {
+  if (project.dialect == Dialect::shadertoy)
+    add_shadertoy(head, project, pass);
+  else
+    add_vscode(head, project, pass);
+}
+
 // `file:1: error: message` about the file that the text is from.
 [[noreturn]] void fail_in(const Project& project, const Pass& pass, const PassSource& source,
                           const std::string& message) {
+  throw_if_refused(source);  // what is missing may be missing for that
   // An own file is the one that the last line is from.
   const int file = source.lines.empty() ? -1 : source.lines.back().file;
   const std::string name = file < 0 ? pass.name : project.files[static_cast<std::size_t>(file)];
@@ -170,30 +162,21 @@ std::optional<MainText> choose_main(const Project& project, const Pass& pass, co
 
 bool is_vertex_shader(const std::vector<Token>& tokens) {
   return mentions(tokens, "gl_Position") && !mentions(tokens, "gl_FragCoord") &&
-         !mentions(tokens, "gl_FragColor") && !mentions(tokens, "GLSL_FRAGCOLOR");
+         !mentions(tokens, "gl_FragColor") && !mentions(tokens, "shadertoy_out_color");
 }
 
 // A vertex shader sees the uniforms of its pass.
 void wrap_vertex(const Project& project, const Pass& pass, PassSource& source) {
-  source.body = canonicalise(source.body, project.undefined);
   const std::vector<Token> tokens = tokenize(source.body);
   if (!find_entry_points(tokens).main) fail_in(project, pass, source, "a vertex shader needs a main()");
   Head head(tokens);
-  head.macro("SHADER_TOY", "");
-  if (project.dialect == Dialect::shadertoy) {
-    add_shadertoy(head, project, pass);
-  } else {
-    add_vscode(head, project, pass);
-    add_vertex_names(head);
-  }
-  if (mentions(tokens, "shadertwin_nothing")) head.line("#define shadertwin_nothing");
+  add_uniforms(head, project, pass);
   source.head = head.take();
 }
 
 }  // namespace
 
 void write_host_text(const Project& project, Pass& pass, bool vr) {
-  pass.source.body = canonicalise(pass.source.body, project.undefined);
   const std::vector<Token> tokens = tokenize(pass.source.body);
   const EntryPoints entry = find_entry_points(tokens);
   if (!entry.image && entry.main && is_vertex_shader(tokens))
@@ -205,22 +188,14 @@ void write_host_text(const Project& project, Pass& pass, bool vr) {
   const std::optional<MainText> main = choose_main(project, pass, entry, vr, asserts);
 
   Head head(tokens);
-  if (project.local) head.macro("SHADER_TOY", "");
-  if (shadertoy) {
-    add_shadertoy(head, project, pass);
-  } else {
-    add_vscode(head, project, pass);
-    add_fragment_names(head);
-  }
-  if (mentions(tokens, "shadertwin_nothing")) head.line("#define shadertwin_nothing");
+  add_uniforms(head, project, pass);
   pass.source.own_output = entry.output;
   if (asserts) head.text(assert_text());
   if (!main && shadertoy) head.line("#define gl_FragColor shadertoy_out_color");
 
-  // On shadertoy.com main() comes first; a macro called mainImage only works for a main() behind it, unless
-  // it makes the function's own head.
+  // On shadertoy.com main() comes first.
   pass.source.tail.clear();
-  if (main && (shadertoy || entry.image_names_itself) && !entry.image_is_macro)
+  if (main && shadertoy)
     head.text(main->prototype + main->main);
   else if (main && pass.kind != PassKind::image && pass.kind != PassKind::buffer)
     pass.source.tail = main->prototype + main->main;

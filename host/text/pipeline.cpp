@@ -2,6 +2,7 @@
 
 #include "host/text/define_undefined.h"
 #include "host/text/make_precise.h"
+#include "host/text/resolve_macros.h"
 
 namespace shadertwin {
 
@@ -20,6 +21,8 @@ PassSource precise_source(const Project& project, const Pass& pass) {
 }  // namespace
 
 std::vector<PassSource> driver_sources(const Project& project, const Pass& pass) {
+  throw_if_refused(pass.source);
+  if (pass.vertex.has_value()) throw_if_refused(*pass.vertex);
   if (wants_precise(project, pass)) return {precise_source(project, pass)};
   std::vector<PassSource> sources;
   if (project.undefined == Undefined::zero)
@@ -29,6 +32,7 @@ std::vector<PassSource> driver_sources(const Project& project, const Pass& pass)
 }
 
 PassSource twin_source(const Project& project, const Pass& pass) {
+  throw_if_refused(pass.source);
   return wants_precise(project, pass) ? precise_source(project, pass) : pass.source;
 }
 

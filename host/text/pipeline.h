@@ -2,13 +2,14 @@
 // gives one; none looks for what another one wrote.
 //
 //   read_project      files, includes, directives      host/project/project.h
+//   resolve_macros    directives and macros            host/text/resolve_macros.h
 //   canonicalise      WebGL's text as all take it      host/text/canonicalise.h
 //   write_host_text   uniforms and main()              host/text/host_text.h
 //   define_undefined  zero where GLSL gives anything   host/text/define_undefined.h
 //   make_precise      operations in the text's order   host/text/make_precise.h
 //   render            the whole text for a device      host/text/render.h
 //
-// load_project (host/text/load.h) runs the first three; the functions below choose among the others.
+// load_project (host/text/load.h) runs the first four; the functions below choose among the others.
 #pragma once
 
 #include <vector>
@@ -19,7 +20,8 @@ namespace shadertwin {
 
 // What a driver is to compile, as Project::undefined and Project::precise ask: to be tried in this order,
 // since some driver may refuse what only browsers' rules add. The last one is the shader as it is written.
-// Throws Error(shader) if a precise text is asked for and the shader can't be read.
+// Throws Error(shader) if browsers refuse its directives, or if a precise text is asked for and it can't be
+// read.
 std::vector<PassSource> driver_sources(const Project& project, const Pass& pass);
 
 // The same for the twin, which defines by itself what GLSL leaves undefined.

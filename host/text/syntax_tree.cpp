@@ -10,6 +10,7 @@
 #include "host/text/fold.h"
 #include "host/text/map_log.h"
 #include "host/text/render.h"
+#include "host/text/resolve_macros.h"
 
 namespace shadertwin::emit {
 namespace {
@@ -51,6 +52,7 @@ std::string log_by_line(const std::string& log, const std::vector<Token>& tokens
 }  // namespace
 
 std::vector<Token> preprocess(const Project& project, const PassSource& source, Errors errors) {
+  throw_if_refused(source);
   const std::string text = render(source);
   const char* strings = text.c_str();
   glslang::TShader preprocessor(EShLangFragment);

@@ -299,7 +299,7 @@ std::vector<Finding> text_rules(const Project& project) {
     std::move(more.begin(), more.end(), std::back_inserter(findings));
   };
   for (const Pass& pass : project.passes) {
-    append(TextRules(project, pass, pass.source.body).findings());
+    append(TextRules(project, pass, pass.source.written).findings());
     const std::string written = project.common + pass.code;
     const auto common =
         static_cast<std::size_t>(std::count(project.common.begin(), project.common.end(), '\n'));

@@ -5,6 +5,7 @@
 
 #include "host/base/error.h"
 #include "host/base/output_file.h"
+#include "host/text/resolve_macros.h"
 #include "reference/emit/emit_cpp.h"
 
 namespace {
@@ -33,8 +34,9 @@ Project read(const Arguments& arguments) {
   pass.source.own_output = true;
   for (const std::string& define : arguments.defines) {
     const std::size_t equals = define.find('=');
-    pass.source.head += "#define " + define.substr(0, equals) + ' ' +
+    pass.source.body += "#define " + define.substr(0, equals) + ' ' +
                         (equals == std::string::npos ? "" : define.substr(equals + 1)) + '\n';
+    pass.source.lines.push_back({});
   }
   for (const std::string& file : arguments.files) {
     std::ifstream in(file);
@@ -46,6 +48,7 @@ Project read(const Arguments& arguments) {
       pass.source.lines.push_back({static_cast<int>(project.files.size()) - 1, ++line_number});
     }
   }
+  resolve_macros(project, pass.source, Stage::fragment);
   project.passes.push_back(pass);
   return project;
 }

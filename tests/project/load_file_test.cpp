@@ -19,8 +19,8 @@ TEST(LoadFile, KeepsEveryLineWhereItWas) {
   const auto file = folder.write(
       "a.glsl", "#iKeyboard\n#iChannel0\n \"self\"\nint x; /* #iKeyboard */\n" + std::string(empty_image));
   const Project project = load_project(file);
-  EXPECT_EQ(project.passes[0].source.body,
-            "\n\n\nint x; /* #iKeyboard */\n" + std::string(loaded_empty_image));
+  EXPECT_EQ(project.passes[0].source.written, "\n\n\nint x; /* #iKeyboard */\n" + std::string(empty_image));
+  EXPECT_EQ(project.passes[0].source.body, "\n\n\nint x;\n" + std::string(loaded_empty_image));
   for (std::size_t i = 0; i < 5; ++i)
     EXPECT_EQ(place(project, project.passes[0], i), "a.glsl:" + std::to_string(i + 1));
   EXPECT_TRUE(project.passes[0].keyboard);
@@ -37,7 +37,7 @@ TEST(LoadFile, ExpandsNestedIncludesWithTheirLines) {
       folder.write("a.glsl", "a1 #include \"file://lib\\b.glsl\" a1b\n" + std::string(empty_image));
   const Project project = load_project(file);
   const Pass& pass = project.passes[0];
-  EXPECT_EQ(pass.source.body, "a1 \nb1\nc1\nc2\n\nb3\n a1b\n" + std::string(loaded_empty_image));
+  EXPECT_EQ(pass.source.body, "a1\nb1\nc1\nc2\n\nb3\na1b\n" + std::string(loaded_empty_image));
   EXPECT_EQ(place(project, pass, 0), "a.glsl:1");
   EXPECT_EQ(place(project, pass, 1), "b.glsl:1");
   EXPECT_EQ(place(project, pass, 2), "c.glsl:1");
@@ -54,7 +54,7 @@ TEST(LoadFile, PutsDefinesInFrontOfEveryPass) {
   const auto file = folder.write("a.glsl", "#iChannel0 \"b.glsl\"\n" + std::string(empty_image));
   const Project project = load_project(file, {.defines = {{"N", "4"}, {"FAST", ""}}});
   for (const Pass& pass : project.passes) {
-    EXPECT_TRUE(pass.source.body.starts_with("#define N 4\n#define FAST \n")) << pass.source.body;
+    EXPECT_TRUE(pass.source.written.starts_with("#define N 4\n#define FAST \n")) << pass.source.written;
     EXPECT_EQ(place(project, pass, 0), "host:0");
     EXPECT_EQ(pass.source.lines[2].line, 1);
   }

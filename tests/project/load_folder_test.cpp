@@ -49,8 +49,7 @@ TEST(LoadFolder, BindsChannelsByDirectivesInFilesThatAlsoPaste) {
   EXPECT_EQ(project.passes[0].inputs[0].pass, 0);
   EXPECT_EQ(project.passes[1].inputs[1].pass, 0);
   // Common is there already: the include adds nothing, and the site knows no SHADER_TOY.
-  EXPECT_EQ(project.passes[1].source.body,
-            "float f;\n#ifdef SHADER_TOY\n\n\n#endif\n" + std::string(loaded_empty_image));
+  EXPECT_EQ(project.passes[1].source.body, "float f;\n\n\n\n\n" + std::string(loaded_empty_image));
   EXPECT_EQ(project.passes[1].source.head.find("SHADER_TOY"), std::string::npos);
 }
 

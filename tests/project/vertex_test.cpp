@@ -39,7 +39,7 @@ TEST(Vertex, LastOfSeveralCountsAndItsOwnChannelsDoNot) {
   folder.write("b.glsl", std::string("#iKeyboard\n// b\n") + corner);
   const Project project = load_project(
       folder.write("x.glsl", std::string("#iVertex \"a.glsl\"\n#iVertex \"b.glsl\"\n") + empty_image));
-  EXPECT_NE(project.passes[0].vertex->body.find("// b"), std::string::npos);
+  EXPECT_NE(project.passes[0].vertex->written.find("// b"), std::string::npos);
   EXPECT_FALSE(project.passes[0].keyboard);
   const std::string at = folder.path().string();
   EXPECT_EQ(project.warnings,

@@ -27,24 +27,6 @@ TEST(Canonicalise, NamesParametersWithoutOne) {
             "shadertwin_unnamed_2) {}");
   EXPECT_EQ(canonicalise("float f(vec2); float g(void) {} float h() {}", Undefined::zero),
             "float f(vec2); float g(void) {} float h() {}");
-  EXPECT_EQ(canonicalise("#define f(a) f(vec2 a)\nfloat f(p) {}", Undefined::zero),
-            "#define f(a) f(vec2 a)\nfloat f(p) {}");
-  EXPECT_EQ(canonicalise("#define P vec2 p\nfloat f(P) {}", Undefined::zero),
-            "#define P vec2 p\nfloat f(P) {}");
-}
-
-TEST(Canonicalise, DropsWhatFollowsADirective) {
-  EXPECT_EQ(canonicalise("#ifdef A B\n#else A // c\n#endif A\n", Undefined::zero),
-            "#ifdef A \n#else  // c\n#endif \n");
-  EXPECT_EQ(canonicalise("#ifdef A\n#endif buffer\nint x;\n", Undefined::zero),
-            "#ifdef A\n#endif \nint x;\n");
-  EXPECT_EQ(canonicalise("#if A > 1\n#elif B\n#endif\n#endif", Undefined::zero),
-            "#if A > 1\n#elif B\n#endif\n#endif");
-}
-
-TEST(Canonicalise, DropsAHashInAMacro) {
-  EXPECT_EQ(canonicalise("#define S(x) #x\n#define P(a, b) a##b\n", Undefined::zero),
-            "#define S(x) x\n#define P(a, b) a##b\n");
 }
 
 TEST(Canonicalise, ZeroesOutputsWhereTheirFunctionStarts) {
@@ -55,24 +37,10 @@ TEST(Canonicalise, ZeroesOutputsWhereTheirFunctionStarts) {
   EXPECT_EQ(canonicalise("void f(out vec3 a) {", Undefined::raw), "void f(out vec3 a) {");
 }
 
-TEST(Canonicalise, LeavesWhatThePreprocessorChoosesAlone) {
-  const std::string text = "#if A\nvoid f(out vec3 a)\n#else\nvoid f(out vec3 b)\n#endif\n{";
-  EXPECT_EQ(canonicalise(text, Undefined::zero), text);
-  const std::string parameters = "void f(out vec3 a\n#if A\n, out vec3 b\n#endif\n) {";
-  EXPECT_EQ(canonicalise(parameters, Undefined::zero), parameters);
-}
-
 TEST(Canonicalise, DropsPrecisions) {
   EXPECT_EQ(canonicalise("precision highp int;\nlowp vec2 f(mediump float x);", Undefined::zero),
             "  \n vec2 f( float x);");
   EXPECT_EQ(canonicalise("precision  sampler2DArray;", Undefined::zero), "precision  sampler2DArray;");
-  EXPECT_EQ(canonicalise("#define P precision highp int;\n", Undefined::zero),
-            "#define P precision highp int;\n");
-}
-
-TEST(Canonicalise, DropsQuotesAndOddSpaces) {
-  EXPECT_EQ(canonicalise("#if 0\ndon't \"\n'a \"b'\n#endif\f\v", Undefined::zero),
-            "#if 0\ndon t  \n a  b \n#endif  ");
 }
 
 TEST(Canonicalise, RenamesGlobalVariablesNamedAsBuiltins) {
@@ -109,16 +77,6 @@ TEST(Canonicalise, RenamesMembersCalledLength) {
           Undefined::zero),
       "struct S { float shadertwin_length, x; };\nfloat f(S s) { return s.shadertwin_length + length(s.x) + "
       "a.length(); }");
-}
-
-TEST(Canonicalise, GivesMacrosOfOneParameterSomethingEmpty) {
-  EXPECT_EQ(canonicalise("#define G(x) x\n#define H() 1\nG() G(1) H()", Undefined::zero),
-            "#define G(x) x\n#define H() 1\nG(shadertwin_nothing) G(1) H()");
-}
-
-TEST(Canonicalise, LetsTheHostSetTheColourThatAMacroDeclares) {
-  EXPECT_EQ(canonicalise("#define M void mainImage(out vec4 O, vec2 u)\nM {", Undefined::zero),
-            "#define M void mainImage(inout vec4 O, vec2 u)\nM {");
 }
 
 }  // namespace

@@ -25,13 +25,12 @@ TEST(RenderForCompute, MovesNoLine) {
 }
 
 TEST(RenderForCompute, ReplacesWhatFragmentsHave) {
-  const Pass pass = load_pass("void main() { gl_FragColor = gl_FragCoord; } // main gl_FragCoord\n");
+  const Pass pass = load_pass("void main() { gl_FragColor = gl_FragCoord; }\n");
   const std::string text = render(pass.source, Target::compute);
   EXPECT_TRUE(text.starts_with("#version 310 es\n"));
   EXPECT_NE(text.find("local_size_x = 8, local_size_y = 8"), std::string::npos);
-  EXPECT_NE(
-      text.find("void shadertwin_main() { gl_FragColor = shadertwin_frag_coord; } // main gl_FragCoord"),
-      std::string::npos);
+  EXPECT_NE(text.find("void shadertwin_main() { shadertoy_out_color = shadertwin_frag_coord; }"),
+            std::string::npos);
   EXPECT_EQ(text.find("out vec4"), std::string::npos);
 }
 

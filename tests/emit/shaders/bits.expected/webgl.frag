@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,35 +23,20 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// Bit casts, packing, rounding, special values.
+
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
-  float x = (p.x - 8.0) * 0.37;
-  uint u = floatBitsToUint(x); int i = floatBitsToInt(-x);
-  float back = uintBitsToFloat(u ^ 0x80000000u) + intBitsToFloat(i);
-  uint h = packHalf2x16(vec2(x, p.y)), s = packSnorm2x16(vec2(x, 0.3)), n = packUnorm2x16(vec2(x, 0.7));
-  vec2 q = unpackHalf2x16(h) + unpackSnorm2x16(s) + unpackUnorm2x16(n);
-  float whole; float part = modf(x, whole);
-  vec3 wholes; vec2 two; vec2 parts = modf(vec2(x, p.y * 0.3), two); wholes.zx = two;
-  vec3 pieces = modf(vec3(x), wholes);
-  float inf = 1.0 / (p.x - 0.5), nan = sqrt(-p.x);
-  color = vec4(float(u >> 8), back, q);
-  if (p.y > 2.0) color = vec4(whole, part, parts.y + wholes.z, float(h >> 4));
-  if (p.y > 4.0) color = vec4(round(x * 2.0), roundEven(x * 2.0), trunc(x), floor(x) + ceil(x) * 16.0);
-  if (p.y > 6.0) color = vec4(isnan(nan) ? 1.0 : 0.0, isinf(inf) ? 1.0 : 0.0, sign(x), fract(x) + mod(x, 0.75) + step(0.5, x));
+float x = (p.x - 8.0) * 0.37;
+uint u = floatBitsToUint(x); int i = floatBitsToInt(-x);
+float back = uintBitsToFloat(u ^ 0x80000000u) + intBitsToFloat(i);
+uint h = packHalf2x16(vec2(x, p.y)), s = packSnorm2x16(vec2(x, 0.3)), n = packUnorm2x16(vec2(x, 0.7));
+vec2 q = unpackHalf2x16(h) + unpackSnorm2x16(s) + unpackUnorm2x16(n);
+float whole; float part = modf(x, whole);
+vec3 wholes; vec2 two; vec2 parts = modf(vec2(x, p.y * 0.3), two); wholes.zx = two;
+vec3 pieces = modf(vec3(x), wholes);
+float inf = 1.0 / (p.x - 0.5), nan = sqrt(-p.x);
+color = vec4(float(u >> 8), back, q);
+if (p.y > 2.0) color = vec4(whole, part, parts.y + wholes.z, float(h >> 4));
+if (p.y > 4.0) color = vec4(round(x * 2.0), roundEven(x * 2.0), trunc(x), floor(x) + ceil(x) * 16.0);
+if (p.y > 6.0) color = vec4(isnan(nan) ? 1.0 : 0.0, isinf(inf) ? 1.0 : 0.0, sign(x), fract(x) + mod(x, 0.75) + step(0.5, x));
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

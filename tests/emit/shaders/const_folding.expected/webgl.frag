@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,22 +23,7 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// Constant expressions are computed in float, operation by operation.
+
 const float a = 0.1, b = 0.7, c = a + b * 3.3, d = sqrt(2.0) / 3.0, e = 1.0 / 3.0 * 0.3;
 const vec3 v = normalize(vec3(0.3, 0.4, 1.7)), w = cross(v, vec3(0.1, 0.2, 0.3)) * 0.7;
 const mat3 m = mat3(0.00, 0.80, 0.60, -0.80, 0.36, -0.48, -0.60, -0.48, 0.64);
@@ -53,16 +37,16 @@ const vec4 arcs = vec4(asin(0.3), acos(0.3), atan(0.3), asin(1.0)), waves = vec4
 const vec4 hyperbolic = vec4(sinh(0.3), cosh(0.3), tanh(0.3), asinh(0.3)), powers = vec4(exp(0.3), log(0.3), exp2(0.3), log2(0.3));
 const vec4 others = vec4(acosh(1.3), atanh(0.3), inversesqrt(0.3), pow(0.3, 0.7)), bent = vec4(reflect(vec2(0.3, 0.4), vec2(0.6, 0.8)), inverse(mat2(0.1, 0.2, 0.3, 0.7))[0]);
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
-  const float local = c * 0.9 - e, other = mix(0.1, 0.9, 0.35);
-  float sizes[n];
-  sizes[n - 1] = local;
-  color = vec4(c, d, e, sizes[4]);
-  if (p.y > 3.0) color = vec4(w, flag ? dot(v, w) : 0.0);
-  if (p.y > 6.0) color = vec4((m * v).x, mm[1][2], float(list[int(p.x) % 3]), other);
-  if (p.x > 4.0 && p.x < 11.0) {
-    vec4 list[6] = vec4[6](arcs, waves, hyperbolic, powers, others, bent + determinant(mat2(0.1, 0.2, 0.3, 0.7)));
-    color = list[int(p.x) % 6];
-  }
-  if (p.x > 12.0) color = vec4(turned[2].x + back[1].y * p.x, size, p.x < infinite ? bits : -bits);
+const float local = c * 0.9 - e, other = mix(0.1, 0.9, 0.35);
+float sizes[n];
+sizes[n - 1] = local;
+color = vec4(c, d, e, sizes[4]);
+if (p.y > 3.0) color = vec4(w, flag ? dot(v, w) : 0.0);
+if (p.y > 6.0) color = vec4((m * v).x, mm[1][2], float(list[int(p.x) % 3]), other);
+if (p.x > 4.0 && p.x < 11.0) {
+vec4 list[6] = vec4[6](arcs, waves, hyperbolic, powers, others, bent + determinant(mat2(0.1, 0.2, 0.3, 0.7)));
+color = list[int(p.x) % 6];
+}
+if (p.x > 12.0) color = vec4(turned[2].x + back[1].y * p.x, size, p.x < infinite ? bits : -bits);
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

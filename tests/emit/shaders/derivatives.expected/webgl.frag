@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,29 +23,14 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// dFdx, dFdy, fwidth of scalars and vectors, in a function and after diverging branches.
+
 float grid(vec2 p) { vec2 w = fwidth(p); return w.x + w.y; }
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
-  float f = p.x * p.x + p.y * 3.0;
-  vec2 uv = p * vec2(0.5, 2.0);
-  if (p.x > 5.0) f += 10.0;
-  vec3 v = dFdx(vec3(f, uv));
-  color = vec4(v.x + v.z, dFdy(f), grid(uv * uv), fwidth(f) + dFdy(uv).y);
-  for (int i = 0; i < 3; i++) { f *= 2.0; color.x += dFdx(f); }
+float f = p.x * p.x + p.y * 3.0;
+vec2 uv = p * vec2(0.5, 2.0);
+if (p.x > 5.0) f += 10.0;
+vec3 v = dFdx(vec3(f, uv));
+color = vec4(v.x + v.z, dFdy(f), grid(uv * uv), fwidth(f) + dFdy(uv).y);
+for (int i = 0; i < 3; i++) { f *= 2.0; color.x += dFdx(f); }
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,57 +23,42 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// Arguments and operands are evaluated from left to right.
+
 uint state;
 uint rnd() { state = state * 747796405u + 2891336453u; return state >> 9; }
 float f() { return float(rnd() & 255u); }
 float g(float a, float b, float c) { return a - b * 2.0 + c * 4.0; }
 struct Pair { float a, b; };
 float pick(int i) { return i > 1 ? f() : 1.0; }
-// A variable is read when the operation is done, not where it stands.
+
 vec4 late(vec2 q) {
-  float x = q.x, y = q.x, z = q.y;
-  vec2 p = q, r = q;
-  vec4 sum = vec4(p, p += 1.0) + vec4(x, x++, max(y, y -= 1.0), dot(r, r += 1.0));
-  sum.x += p.x - length(p -= 0.3);
-  r = r + (r *= 2.0);
-  int i = int(q.x);
-  vec2 k = vec2(i, i++);
-  sum.z += k.x * 3.0 + k.y;
-  return sum + vec4(r, z, z = 9.0);
+float x = q.x, y = q.x, z = q.y;
+vec2 p = q, r = q;
+vec4 sum = vec4(p, p += 1.0) + vec4(x, x++, max(y, y -= 1.0), dot(r, r += 1.0));
+sum.x += p.x - length(p -= 0.3);
+r = r + (r *= 2.0);
+int i = int(q.x);
+vec2 k = vec2(i, i++);
+sum.z += k.x * 3.0 + k.y;
+return sum + vec4(r, z, z = 9.0);
 }
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
-  state = uint(p.x) + 256u * uint(p.y);
-  vec3 v = vec3(f(), f(), f());
-  float a = f() - f();
-  float b = g(f(), f(), f());
-  Pair q = Pair(f(), f());
-  float list[2] = float[2](f(), f());
-  int i = 0;
-  float c = float(i++) + float(i++) * 8.0 + float(++i) * 64.0;
-  float d = (f() > 100.0 && f() > 50.0 || f() < 9.0) ? f() : -f();
-  float e = pick(i) + (f() * 2.0 + (f() - f()));
-  for (int k = int(f()) & 3; k < 5 && f() < 250.0; k += 1 + int(rnd() & 1u)) e += float(k);
-  while (f() < 200.0) e += 0.5;
-  float x = 1.0;
-  float y = (x += 1.0, x * 3.0);
-  color = vec4(v.x + 256.0 * v.y, v.z + 0.5 * a, b + q.a - q.b * 0.5, list[0] - list[1] + c);
-  if (mod(p.x, 2.0) > 1.0) color = vec4(d, e, y, f());
-  if (p.y > 8.0) color = late(p);
+state = uint(p.x) + 256u * uint(p.y);
+vec3 v = vec3(f(), f(), f());
+float a = f() - f();
+float b = g(f(), f(), f());
+Pair q = Pair(f(), f());
+float list[2] = float[2](f(), f());
+int i = 0;
+float c = float(i++) + float(i++) * 8.0 + float(++i) * 64.0;
+float d = (f() > 100.0 && f() > 50.0 || f() < 9.0) ? f() : -f();
+float e = pick(i) + (f() * 2.0 + (f() - f()));
+for (int k = int(f()) & 3; k < 5 && f() < 250.0; k += 1 + int(rnd() & 1u)) e += float(k);
+while (f() < 200.0) e += 0.5;
+float x = 1.0;
+float y = (x += 1.0, x * 3.0);
+color = vec4(v.x + 256.0 * v.y, v.z + 0.5 * a, b + q.a - q.b * 0.5, list[0] - list[1] + c);
+if (mod(p.x, 2.0) > 1.0) color = vec4(d, e, y, f());
+if (p.y > 8.0) color = late(p);
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,28 +23,12 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-#define shadertwin_nothing
-// What browsers take and other compilers of the same language refuse.
+
   
-#if 0
-don t read  this
-#endif
-#define SIGNED(sign) sign 1.0
+
+
+
+
 struct Segment { float shadertwin_length; vec2 way; };
 float shadertwin_step = 0.25, shadertwin_packed = 2.0;
 const mat3 turned = transpose(mat3(1, 2, 3, 4, 5, 6, 7, 8, 9));
@@ -53,17 +36,17 @@ float shadertwin_mix(float a, float b, float c) { return mix(a, b, c); } float s
  vec3 shadertwin_fma( vec3 a, vec3 b,  vec3 shadertwin_unnamed_0) { return a * b; }
 float choose(int k)
 {
-    switch (k) {
-        case 0: return 1.0;
-        case 1: break; ;
-    }
-    return shadertwin_step;
+switch (k) {
+case 0: return 1.0;
+case 1: break; ;
+}
+return shadertwin_step;
 }
 void mainImage(out  vec4 c,  vec2 p)
 { c = vec4(0);
-    Segment s = Segment(2.0, p);
-    s.shadertwin_length *= SIGNED(shadertwin_nothing) + SIGNED(-) + shadertwin_step;
-    c = vec4(shadertwin_mix(p, s.way, vec3(1, 2, 3)), shadertwin_mix(1.0, 2.0, 0.5) * shadertwin_packed, choose(int(p.x)) + s.shadertwin_length);
-    c.xyz += shadertwin_fma(turned[1], vec3(p, 1), vec3(0));
+Segment s = Segment(2.0, p);
+s.shadertwin_length *= 1.0 + - 1.0 + shadertwin_step;
+c = vec4(shadertwin_mix(p, s.way, vec3(1, 2, 3)), shadertwin_mix(1.0, 2.0, 0.5) * shadertwin_packed, choose(int(p.x)) + s.shadertwin_length);
+c.xyz += shadertwin_fma(turned[1], vec3(p, 1), vec3(0));
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,22 +23,7 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// Globals belong to one invocation: initialised, constant, uninitialised, changed by functions.
+
 float a = 1.0; vec3 b = vec3(1.0, 2.0, 3.0) * 2.0; int count = 3;
 float c, d = 4.0;
 const vec2 k = vec2(0.5, 0.25), kk = k * 2.0 + k.yx;
@@ -49,8 +33,8 @@ struct S { float x; vec2 y; } s = S(1.0, vec2(2.0));
 vec4 unused;
 float step_() { a += 1.0; count--; list[1] *= 2.0; s.y.x += a; return a; }
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
-  b.xy = p; c = step_() + step_() * 8.0; m[1] *= p;
-  for (int i = 0; i < 2; i++) c += list[i] + float(count);
-  color = vec4(a + c, b.x + d, kk + s.y * m);
+b.xy = p; c = step_() + step_() * 8.0; m[1] *= p;
+for (int i = 0; i < 2; i++) c += list[i] + float(count);
+color = vec4(a + c, b.x + d, kk + s.y * m);
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

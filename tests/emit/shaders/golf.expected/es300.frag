@@ -2,7 +2,6 @@
 precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-
 uniform vec3 iResolution ;
 uniform float iTime ;
 uniform float iTimeDelta ;
@@ -24,23 +23,6 @@ uniform sampler2D iChannel7 ;
 uniform sampler2D iChannel8 ;
 uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
-
-
-
-
-
-
-
-
-
-
-
-
-
-
-
-void mainImage ( inout vec4 , in vec2 ) ;
-void main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }
 
 
 
@@ -92,6 +74,7 @@ for ( float a = 0. ; vec2 ( a ) , a < 2. ; vec2 ( i ) , a ++ ) O . x += float ( 
 return O . w > .5 ? O * next ( ) : O / next ( ) ;
 }
 
-void mainImage ( inout vec4 O , in vec2 I ) {
+void mainImage ( out vec4 O , in vec2 I ) { O = vec4(0); O = vec4 ( 0 ) ;
 O = I . y < 3. ? steps ( I ) : I . y < 5. ? folds ( I ) : I . y < 7. ? headers ( I ) : constructors ( I ) ;
 }
+void main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

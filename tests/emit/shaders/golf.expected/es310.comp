@@ -2,7 +2,6 @@
 precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(local_size_x = 8, local_size_y = 8) in; layout(rgba32f, binding = 7) writeonly uniform highp image2D shadertwin_target; uniform ivec2 shadertwin_origin; vec4 shadertwin_frag_coord; vec4 shadertoy_out_color;
-
 uniform vec3 iResolution ;
 uniform float iTime ;
 uniform float iTimeDelta ;
@@ -24,23 +23,6 @@ uniform sampler2D iChannel7 ;
 uniform sampler2D iChannel8 ;
 uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
-
-
-
-
-
-
-
-
-
-
-
-
-
-
-
-void mainImage ( inout vec4 , in vec2 ) ;
-void shadertwin_main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , shadertwin_frag_coord . xy ) ; shadertoy_out_color = shadertoy_color ; }
 
 
 
@@ -92,9 +74,10 @@ for ( float a = 0. ; vec2 ( a ) , a < 2. ; vec2 ( i ) , a ++ ) O . x += float ( 
 return O . w > .5 ? O * next ( ) : O / next ( ) ;
 }
 
-void mainImage ( inout vec4 O , in vec2 I ) {
+void mainImage ( out vec4 O , in vec2 I ) { O = vec4(0); O = vec4 ( 0 ) ;
 O = I . y < 3. ? steps ( I ) : I . y < 5. ? folds ( I ) : I . y < 7. ? headers ( I ) : constructors ( I ) ;
 }
+void shadertwin_main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , shadertwin_frag_coord . xy ) ; shadertoy_out_color = shadertoy_color ; }
 void main() { ivec2 shadertwin_pixel = ivec2(gl_GlobalInvocationID.xy) + shadertwin_origin;
 if (any(greaterThanEqual(shadertwin_pixel, ivec2(iResolution.xy)))) return;
 shadertwin_frag_coord = vec4(vec2(shadertwin_pixel) + 0.5, 0.5, 1.0);

@@ -20,12 +20,6 @@ struct Shader : Invocation {
   static constexpr bool uses_implicit_lod = false;
   static constexpr bool uses_stop = false;
 
-  void main(Bool active) {
-    vec4 shadertoy_color = vec4(0.0f);
-    mainImage(active, shadertoy_color, gl_FragCoord.xy());
-    set__(active, shadertoy_out_color, shadertoy_color);
-  }
-
 #line 7 "tests/emit/shaders/golf.glsl"
   Float next(Bool active) {
 #line 7 "tests/emit/shaders/golf.glsl"
@@ -34,7 +28,7 @@ struct Shader : Invocation {
     return n;
 #line 7 "tests/emit/shaders/golf.glsl"
   }
-#line 38 "twin.cpp"
+#line 32 "twin.cpp"
 
 #line 9 "tests/emit/shaders/golf.glsl"
   vec4 steps(Bool active, vec2 u) {
@@ -64,7 +58,7 @@ struct Shader : Invocation {
     return tanh(O / 20.0f);
 #line 14 "tests/emit/shaders/golf.glsl"
   }
-#line 68 "twin.cpp"
+#line 62 "twin.cpp"
 
 #line 17 "tests/emit/shaders/golf.glsl"
   vec4 folds(Bool active, vec2 u) {
@@ -92,7 +86,7 @@ struct Shader : Invocation {
     return vec4(p, d, e + i * 3.0f);
 #line 21 "tests/emit/shaders/golf.glsl"
   }
-#line 96 "twin.cpp"
+#line 90 "twin.cpp"
 
 #line 24 "tests/emit/shaders/golf.glsl"
   vec4 headers(Bool active, vec2 u) {
@@ -145,7 +139,7 @@ struct Shader : Invocation {
     return O;
 #line 36 "tests/emit/shaders/golf.glsl"
   }
-#line 149 "twin.cpp"
+#line 143 "twin.cpp"
 
 #line 39 "tests/emit/shaders/golf.glsl"
   vec4 constructors(Bool active, vec2 u) {
@@ -219,10 +213,12 @@ struct Shader : Invocation {
     return tmp_2;
 #line 49 "tests/emit/shaders/golf.glsl"
   }
-#line 223 "twin.cpp"
+#line 217 "twin.cpp"
 
 #line 52 "tests/emit/shaders/golf.glsl"
   void mainImage(Bool active, vec4& O, vec2 I) {
+#line 52 "tests/emit/shaders/golf.glsl"
+    set__(active, O, vec4(0.0f));
     const Bool condition = I.y < 3.0f;
 #line 53 "tests/emit/shaders/golf.glsl"
     vec4 tmp{};
@@ -274,7 +270,13 @@ struct Shader : Invocation {
     set__(active, O, tmp);
 #line 53 "tests/emit/shaders/golf.glsl"
   }
-#line 278 "twin.cpp"
+#line 274 "twin.cpp"
+
+  void main(Bool active) {
+    vec4 shadertoy_color = vec4(0.0f);
+    mainImage(active, shadertoy_color, gl_FragCoord.xy());
+    set__(active, shadertoy_out_color, shadertoy_color);
+  }
 
 };
 

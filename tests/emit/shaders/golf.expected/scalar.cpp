@@ -20,19 +20,13 @@ struct Shader : Invocation {
   static constexpr bool uses_implicit_lod = false;
   static constexpr bool uses_stop = false;
 
-  void main() {
-    vec4 shadertoy_color = vec4(0.0f);
-    mainImage(shadertoy_color, gl_FragCoord.xy());
-    shadertoy_out_color = shadertoy_color;
-  }
-
 #line 7 "tests/emit/shaders/golf.glsl"
   Float next() {
 #line 7 "tests/emit/shaders/golf.glsl"
     return n += 1.0f;
 #line 7 "tests/emit/shaders/golf.glsl"
   }
-#line 36 "twin.cpp"
+#line 30 "twin.cpp"
 
 #line 9 "tests/emit/shaders/golf.glsl"
   vec4 steps(vec2 u) {
@@ -58,7 +52,7 @@ struct Shader : Invocation {
     return tanh(O / 20.0f);
 #line 14 "tests/emit/shaders/golf.glsl"
   }
-#line 62 "twin.cpp"
+#line 56 "twin.cpp"
 
 #line 17 "tests/emit/shaders/golf.glsl"
   vec4 folds(vec2 u) {
@@ -82,7 +76,7 @@ struct Shader : Invocation {
     return vec4(p, d, e + i * 3.0f);
 #line 21 "tests/emit/shaders/golf.glsl"
   }
-#line 86 "twin.cpp"
+#line 80 "twin.cpp"
 
 #line 24 "tests/emit/shaders/golf.glsl"
   vec4 headers(vec2 u) {
@@ -135,7 +129,7 @@ struct Shader : Invocation {
     return O;
 #line 36 "tests/emit/shaders/golf.glsl"
   }
-#line 139 "twin.cpp"
+#line 133 "twin.cpp"
 
 #line 39 "tests/emit/shaders/golf.glsl"
   vec4 constructors(vec2 u) {
@@ -175,14 +169,22 @@ struct Shader : Invocation {
     return O.w > 0.5f ? O * next() : O / next();
 #line 49 "tests/emit/shaders/golf.glsl"
   }
-#line 179 "twin.cpp"
+#line 173 "twin.cpp"
 
 #line 52 "tests/emit/shaders/golf.glsl"
   void mainImage(vec4& O, vec2 I) {
+#line 52 "tests/emit/shaders/golf.glsl"
+    O = vec4(0.0f);
     O = I.y < 3.0f ? steps(I) : I.y < 5.0f ? folds(I) : I.y < 7.0f ? headers(I) : constructors(I);
 #line 53 "tests/emit/shaders/golf.glsl"
   }
-#line 186 "twin.cpp"
+#line 182 "twin.cpp"
+
+  void main() {
+    vec4 shadertoy_color = vec4(0.0f);
+    mainImage(shadertoy_color, gl_FragCoord.xy());
+    shadertoy_out_color = shadertoy_color;
+  }
 
 };
 

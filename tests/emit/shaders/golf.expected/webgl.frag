@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,74 +23,58 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-void mainImage(inout vec4, in vec2);
-void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }
-// How short shaders are written: variables that start as zero, commas for statements, assignments as operands.
-#define R(a) mat2(cos(a + vec4(0, 33, 11, 0)))
-#define L for (int j = 0; j++ < 3;)
-#define B(i, n) ((i >> n) & 1)
-#define mainImage(o, u) mainImage(inout vec4 o, in vec2 u)
+
+
+
+
+
 float n;
 float next() { return n += 1.; }
 
 vec4 steps(vec2 u) {
-  vec4 O;
-  float i, z, d;
-  for (O *= i; i++ < 9.; O += (cos(z * .4 + vec4(6, 1, 2, 3)) + 1.) / (.1 + d))
-    z += d = .05 + .1 * abs(length(u * .1 * R(i)) - z);
-  return tanh(O / 2e1);
+vec4 O;
+float i, z, d;
+for (O *= i; i++ < 9.; O += (cos(z * .4 + vec4(6, 1, 2, 3)) + 1.) / (.1 + d))
+z += d = .05 + .1 * abs(length(u * .1 * mat2(cos(i + vec4(0, 33, 11, 0)))) - z);
+return tanh(O / 2e1);
 }
 
 vec4 folds(vec2 u) {
-  vec2 p = u * .1, C = p *= sign(p.x - .5);
-  float d = .2 - abs(length(min(p = C.x > 1. ? p : -p.yx, vec2(0, 1))) - .17), i = 8., e;
-  while (i-- > 0.) p = abs(p) - .6, e += p.x > p.y ? p.x : p.y;
-  return vec4(p, d, e + (i = 2., i * 3.));
+vec2 p = u * .1, C = p *= sign(p.x - .5);
+float d = .2 - abs(length(min(p = C.x > 1. ? p : -p.yx, vec2(0, 1))) - .17), i = 8., e;
+while (i-- > 0.) p = abs(p) - .6, e += p.x > p.y ? p.x : p.y;
+return vec4(p, d, e + (i = 2., i * 3.));
 }
 
 vec4 headers(vec2 u) {
-  vec4 O;
-  float s, g, i;
-  for (O = vec4(u, 0, 1) * .1; i < 6.; g += .3, s += g, O.z += s * .1) i++;
-  for (vec3 p = vec3(u, 1) * .1; i-- > 0.; p = p.yzx + .1) O.xyz += p * .01;
-  L O.x += .5;
-  L O.y += float(j) * .25;
-  for (int k; k < 3; k++) {
-    float a, z;
-    for (; z < 1.; z += .25) a += fract(u.x * z);
-    O[k] += a;
-  }
-  return O;
+vec4 O;
+float s, g, i;
+for (O = vec4(u, 0, 1) * .1; i < 6.; g += .3, s += g, O.z += s * .1) i++;
+for (vec3 p = vec3(u, 1) * .1; i-- > 0.; p = p.yzx + .1) O.xyz += p * .01;
+for (int j = 0; j++ < 3;) O.x += .5;
+for (int j = 0; j++ < 3;) O.y += float(j) * .25;
+for (int k; k < 3; k++) {
+float a, z;
+for (; z < 1.; z += .25) a += fract(u.x * z);
+O[k] += a;
+}
+return O;
 }
 
 vec4 constructors(vec2 u) {
-  vec3 p = iResolution, d = vec3(u + u - p.xy, p) / p.x, c = d - d, i = c;
-  for (int x; x < 9; ++x) {
-    if (i.x >= .3) break;
-    p = c, p.z -= i.x += .06, c += abs(p.yzx) + d * .1;
-  }
-  vec4 O = vec4(u, c);
-  O.xy += vec2(u.y, O).yx * float(B(int(u.x), 1));
-  vec2(d);
-  for (float a = 0.; vec2(a), a < 2.; vec2(i), a++) O.x += float((vec3(a), int(a)));
-  return O.w > .5 ? O * next() : O / next();
+vec3 p = iResolution, d = vec3(u + u - p.xy, p) / p.x, c = d - d, i = c;
+for (int x; x < 9; ++x) {
+if (i.x >= .3) break;
+p = c, p.z -= i.x += .06, c += abs(p.yzx) + d * .1;
+}
+vec4 O = vec4(u, c);
+O.xy += vec2(u.y, O).yx * float(((int(u.x) >> 1) & 1));
+vec2(d);
+for (float a = 0.; vec2(a), a < 2.; vec2(i), a++) O.x += float((vec3(a), int(a)));
+return O.w > .5 ? O * next() : O / next();
 }
 
-void mainImage(O, I) {
-  O = I.y < 3. ? steps(I) : I.y < 5. ? folds(I) : I.y < 7. ? headers(I) : constructors(I);
+void mainImage(out vec4 O, in vec2 I) { O = vec4(0);
+O = I.y < 3. ? steps(I) : I.y < 5. ? folds(I) : I.y < 7. ? headers(I) : constructors(I);
 }
+void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

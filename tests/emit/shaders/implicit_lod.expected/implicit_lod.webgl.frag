@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,29 +23,14 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// Mipmapped and linear sampling with the level chosen from the neighbouring pixels, also where they part.
+
 
 
 
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
-  vec2 uv = p / iResolution.xy;
-  color = texture(iChannel0, uv * 3.7);
-  if (p.x > 8.0) color += texture(iChannel0, uv * uv.x * 5.0, 0.5);
-  color += textureLod(iChannel0, uv, 1.5) + textureGrad(iChannel0, uv, vec2(0.2, 0.0), vec2(0.0, 0.1));
+vec2 uv = p / iResolution.xy;
+color = texture(iChannel0, uv * 3.7);
+if (p.x > 8.0) color += texture(iChannel0, uv * uv.x * 5.0, 0.5);
+color += textureLod(iChannel0, uv, 1.5) + textureGrad(iChannel0, uv, vec2(0.2, 0.0), vec2(0.0, 0.1));
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,22 +23,7 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// out and inout are copied in and out: through swizzles, elements, members, globals and the same variable twice.
+
 vec3 shared_value = vec3(1.0, 2.0, 3.0);
 float counter = 0.0;
 void add(inout float a, in float b, inout float c) { a += b; c = a * 2.0; }
@@ -48,19 +32,19 @@ float touch_global(inout vec3 v) { v.x = 10.0; counter += shared_value.x; shared
 float next(inout float s) { s += 0.25; return s; }
 void half_written(out vec4 v, float x) { v = vec4(0); if (x > 0.5) v.xy = vec2(x); v.z = 1.0; }
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
-  float x = p.x / 8.0;
-  vec4 v = vec4(x, 2.0, 3.0, 4.0);
-  write(v.zx, x);
-  float list[3] = float[3](x, 1.0, 2.0);
-  int i = 1;
-  add(list[i], v.x, list[2]);
-  add(v.y, v.y, v.w);
-  float r = touch_global(shared_value);
-  float s = x;
-  vec2 pair = vec2(next(s), next(s));
-  float sum = next(s) * 2.0 - next(s) + s;
-  color = vec4(v.x + v.z * 4.0, r + shared_value.x * 100.0 + shared_value.y, pair.x + pair.y * 16.0, sum);
-  if (p.y < 2.0) color = v;
-  if (p.y > 6.0) color = vec4(list[0], list[1], list[2], counter);
+float x = p.x / 8.0;
+vec4 v = vec4(x, 2.0, 3.0, 4.0);
+write(v.zx, x);
+float list[3] = float[3](x, 1.0, 2.0);
+int i = 1;
+add(list[i], v.x, list[2]);
+add(v.y, v.y, v.w);
+float r = touch_global(shared_value);
+float s = x;
+vec2 pair = vec2(next(s), next(s));
+float sum = next(s) * 2.0 - next(s) + s;
+color = vec4(v.x + v.z * 4.0, r + shared_value.x * 100.0 + shared_value.y, pair.x + pair.y * 16.0, sum);
+if (p.y < 2.0) color = v;
+if (p.y > 6.0) color = vec4(list[0], list[1], list[2], counter);
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,42 +23,27 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// int and uint: wrap around, shifts, bits, division, conversions.
+
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
-  int x = int(p.x) - 8, y = int(p.y);
-  uint u = uint(int(p.x)) * 2654435769u + uint(y) * 0x9E3779B9u;
-  u ^= u >> 16; u *= 0x85ebca6bu; u ^= u >> 13; u += 1U << 31;
-  int wrapped = 2147483647 + x + 8;
-  int product = 65537 * (y + 65536);
-  ivec3 v = ivec3(x, y, 7) * 3 - ivec3(1);
-  v.zx = abs(v.zx);
-  v ^= ivec3(5); v |= 8; v &= ~2;
-  ivec2 d = ivec2(17, -17) / ivec2(y + 1, 3);
-  int m = (y + 20) % 7;
-  uvec2 q = uvec2(u) >> uvec2(3u, 5u);
-  q <<= 2u;
-  q.yx ^= q; q.yx |= 1u; q.yx &= q * 3u; q.yx <<= 1u; q.yx >>= uvec2(1u, 2u); v.zx %= 11; v.xz /= 2;
-  x <<= 1; x >>= 2; x++; --x;
-  bool odd = (y & 1) == 1 ^^ x > 0;
-  ivec2 rounded = ivec2(vec2(p.x - 8.0, p.y) * 1.75);
-  color = vec4(float(u >> 8), float(wrapped / 1000), float(product), float(v.x + v.y * 16 + v.z * 256));
-  if (mod(p.x, 2.0) > 1.0)
-    color = vec4(float(d.x - d.y), float(m), float(q.x ^ q.y), float(rounded.x * 10 + rounded.y) + (odd ? 0.5 : 0.0));
-  if (mod(p.y, 4.0) > 3.0) color = vec4(uintBitsToFloat((u >> 9) | 0x3f800000u), float(x), float(int(u)), float(uint(x)));
+int x = int(p.x) - 8, y = int(p.y);
+uint u = uint(int(p.x)) * 2654435769u + uint(y) * 0x9E3779B9u;
+u ^= u >> 16; u *= 0x85ebca6bu; u ^= u >> 13; u += 1U << 31;
+int wrapped = 2147483647 + x + 8;
+int product = 65537 * (y + 65536);
+ivec3 v = ivec3(x, y, 7) * 3 - ivec3(1);
+v.zx = abs(v.zx);
+v ^= ivec3(5); v |= 8; v &= ~2;
+ivec2 d = ivec2(17, -17) / ivec2(y + 1, 3);
+int m = (y + 20) % 7;
+uvec2 q = uvec2(u) >> uvec2(3u, 5u);
+q <<= 2u;
+q.yx ^= q; q.yx |= 1u; q.yx &= q * 3u; q.yx <<= 1u; q.yx >>= uvec2(1u, 2u); v.zx %= 11; v.xz /= 2;
+x <<= 1; x >>= 2; x++; --x;
+bool odd = (y & 1) == 1 ^^ x > 0;
+ivec2 rounded = ivec2(vec2(p.x - 8.0, p.y) * 1.75);
+color = vec4(float(u >> 8), float(wrapped / 1000), float(product), float(v.x + v.y * 16 + v.z * 256));
+if (mod(p.x, 2.0) > 1.0)
+color = vec4(float(d.x - d.y), float(m), float(q.x ^ q.y), float(rounded.x * 10 + rounded.y) + (odd ? 0.5 : 0.0));
+if (mod(p.y, 4.0) > 3.0) color = vec4(uintBitsToFloat((u >> 9) | 0x3f800000u), float(x), float(int(u)), float(uint(x)));
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,22 +23,7 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// Words that C++ or its libraries claim, as names of everything; names that shadow others.
+
 struct auto_t { float new_; float signed_; };
 float class_(float a) { return a; }
 float delete(float this_) { return this_ + 1.0; }
@@ -55,14 +39,14 @@ float map(vec3 p) { return p.x; }
 float noise(float p) { return p * 0.5; }
 vec2 uv = vec2(3.0);
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
-  float noise = noise(_Complex(p.x)), length = length(p * vec2(0.0, 1.0)), mix = mix(0.0, 4.0, 0.5);
-  float char = 1.0, signed = 2.0, new = 3.0, nullptr = 4.0, main_ = 5.0, thread_local = 6.0, xor = 7.0, not_eq = 8.0, wchar_t = 9.0;
-  float array_ = array(p.y), Shader = 2.0, vec = 3.0, glm = 4.0, tmp = 1.0, make = 3.0, divide = 2.0, lane_ = 4.0;
-  vec2 uv = uv + p;
-  { vec2 uv = uv * 2.0; noise += uv.x; float p = uv.y; noise += p; }
-  private_ s = private_(1.0, vec2(2.0, 3.0));
-  color = vec4(noise + length + mix, char + signed * new + nullptr + main_ + thread_local + xor + not_eq + wchar_t,
-               array_ + Shader + vec + glm + tmp + make + divide + lane_ + swizzle(delete(int_(1.0))),
-               M_PI + NULL + EOF + assert + errno + INFINITY + s.friend_.y + s.operator_ + uv.y + map(vec3(1.0)) + class_(2.0) + fract_(1.25));
+float noise = noise(_Complex(p.x)), length = length(p * vec2(0.0, 1.0)), mix = mix(0.0, 4.0, 0.5);
+float char = 1.0, signed = 2.0, new = 3.0, nullptr = 4.0, main_ = 5.0, thread_local = 6.0, xor = 7.0, not_eq = 8.0, wchar_t = 9.0;
+float array_ = array(p.y), Shader = 2.0, vec = 3.0, glm = 4.0, tmp = 1.0, make = 3.0, divide = 2.0, lane_ = 4.0;
+vec2 uv = uv + p;
+{ vec2 uv = uv * 2.0; noise += uv.x; float p = uv.y; noise += p; }
+private_ s = private_(1.0, vec2(2.0, 3.0));
+color = vec4(noise + length + mix, char + signed * new + nullptr + main_ + thread_local + xor + not_eq + wchar_t,
+array_ + Shader + vec + glm + tmp + make + divide + lane_ + swizzle(delete(int_(1.0))),
+M_PI + NULL + EOF + assert + errno + INFINITY + s.friend_.y + s.operator_ + uv.y + map(vec3(1.0)) + class_(2.0) + fract_(1.25));
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,22 +23,7 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// Overloaded functions, prototypes, unnamed and const parameters, precision qualifiers.
+
   
   
 float f(float x); float f(vec2 v); float f(int i);
@@ -55,6 +39,6 @@ bool f(bool b) { return !b; }
 void nothing() {}
 vec4 zero() { nothing(); return vec4(0); }
 void mainImage(out  vec4 color, in  vec2 p) { color = vec4(0);
-  color = zero() + vec4(f(p.x) + f(int(p.x)), f(p, 2.0), f(uint(p.y)) + f(mat2(p.x)), g(p.y, 3) + f(float[2](p.x, p.y)) + (f(p.x > 3.0) ? 1.0 : 0.0));
+color = zero() + vec4(f(p.x) + f(int(p.x)), f(p, 2.0), f(uint(p.y)) + f(mat2(p.x)), g(p.y, 3) + f(float[2](p.x, p.y)) + (f(p.x > 3.0) ? 1.0 : 0.0));
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

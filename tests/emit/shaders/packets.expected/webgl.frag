@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,23 +23,8 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// What goes wrong first where pixels run side by side: effects on the left of && and in conditions, one element
-// for two arguments, an index with effects, overloads that a constant chooses, calls that discard in loops.
+
+
 float f(float x) { return x * 0.5; }
 float f(int x) { return float(x) + 10.0; }
 float map(float x) { return 1.0 - 0.05 * x; }
@@ -52,39 +36,39 @@ float gone(float x) { if (x > 14.0) discard; return 1.0; }
 int total = 0;
 int grow() { total += 3; return total; }
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
-  int k = int(p.x) & 1;
-  float n = 0.0, d;
-  for (int i = 0; i++ < 10 && (d = map(p.x + float(i))) > 0.5;) n += 1.0;
-  int m = 0;
-  bool b = (m++ < 2) || (m += 4) > 0;
-  vec2 e[2];
-  e[0] = e[1] = vec2(0.0);
-  two(e[k].x, e[k].y);
-  shared_[0] = shared_[1] = vec2(0.0);
-  shared_[k].x = touch(k);
-  shared_[k].x += touch(1 - k);
-  vec2 a[3];
-  a[0] = a[1] = a[2] = vec2(0.0);
-  int j = 0;
-  set(a[j++].xy);
-  a[j++].x++;
-  float grid[3];
-  grid[0] = grid[1] = grid[2] = p.x;
-  int h = 0;
-  grid[h++]++;
-  grid[h++] += 2.0;
-  vec2 c[2];
-  c[0] = c[1] = p;
-  int s = 0;
-  c[k][s++] += 1.0;
-  int i = 0;
-  float r = float(i++) < p.x - 4.0 ? float(i) : 9.0;
-  total += grow();
-  float sum = 0.0;
-  while (sum < 3.0) sum += gone(p.x);
-  color = vec4(n + float(m) * 16.0 + (b ? 100.0 : 0.0) + f(p.x) + f(0.5) + f(1) * 1000.0,
-               e[k].x + 10.0 * e[k].y + a[0].x + a[0].y * 3.0 + a[1].x * 100.0 + float(j) * 1000.0,
-               shared_[0].x + shared_[0].y * 2.0 + shared_[1].x * 4.0 + shared_[1].y * 8.0 + float(total) * 100.0,
-               grid[0] + grid[1] * 3.0 + float(h) * 100.0 + c[k].x * 7.0 + float(s) * 1000.0 + r * 0.5 + sum);
+int k = int(p.x) & 1;
+float n = 0.0, d;
+for (int i = 0; i++ < 10 && (d = map(p.x + float(i))) > 0.5;) n += 1.0;
+int m = 0;
+bool b = (m++ < 2) || (m += 4) > 0;
+vec2 e[2];
+e[0] = e[1] = vec2(0.0);
+two(e[k].x, e[k].y);
+shared_[0] = shared_[1] = vec2(0.0);
+shared_[k].x = touch(k);
+shared_[k].x += touch(1 - k);
+vec2 a[3];
+a[0] = a[1] = a[2] = vec2(0.0);
+int j = 0;
+set(a[j++].xy);
+a[j++].x++;
+float grid[3];
+grid[0] = grid[1] = grid[2] = p.x;
+int h = 0;
+grid[h++]++;
+grid[h++] += 2.0;
+vec2 c[2];
+c[0] = c[1] = p;
+int s = 0;
+c[k][s++] += 1.0;
+int i = 0;
+float r = float(i++) < p.x - 4.0 ? float(i) : 9.0;
+total += grow();
+float sum = 0.0;
+while (sum < 3.0) sum += gone(p.x);
+color = vec4(n + float(m) * 16.0 + (b ? 100.0 : 0.0) + f(p.x) + f(0.5) + f(1) * 1000.0,
+e[k].x + 10.0 * e[k].y + a[0].x + a[0].y * 3.0 + a[1].x * 100.0 + float(j) * 1000.0,
+shared_[0].x + shared_[0].y * 2.0 + shared_[1].x * 4.0 + shared_[1].y * 8.0 + float(total) * 100.0,
+grid[0] + grid[1] * 3.0 + float(h) * 100.0 + c[k].x * 7.0 + float(s) * 1000.0 + r * 0.5 + sum);
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

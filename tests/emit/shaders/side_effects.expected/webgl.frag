@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,22 +23,7 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// Side effects in indices, conditions, loop headers and returned values.
+
 int k = 0;
 int next() { return k++; }
 float take(inout float list[4], int i) { list[i] += 1.0; return list[i]; }
@@ -47,20 +31,20 @@ float both(inout float a, inout float b) { float t = a; a = b; b = t; return a -
 vec3 sample_(inout uint s) { s = s * 1664525u + 1013904223u; return vec3(s >> 8, s >> 16, s >> 24) / 256.0; }
 bool more(inout int n) { return --n > 0; }
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
-  float list[4] = float[4](p.x, 1.0, 2.0, 3.0);
-  list[next()] += 5.0;
-  list[next()] = list[next()] * 2.0;
-  float t = take(list, 3) * take(list, 3) + take(list, k & 3);
-  float u = both(list[0], list[1]);
-  uint s = uint(p.x) * 17u + uint(p.y);
-  vec3 v = sample_(s) + sample_(s) * 2.0 - cross(sample_(s), sample_(s));
-  vec2 w = p;
-  w[next() & 1] *= 3.0;
-  int n = 5; float sum = 0.0;
-  while (more(n)) sum += float(n);
-  do sum *= 1.5; while (more(n) || next() < 8);
-  for (int i = next(); more(i); sum += float(i), next()) if (sum > 100.0) break;
-  mat2 m = mat2(1.0); m[next() & 1] += vec2(sum, k);
-  color = vec4(t + list[0] * 0.5, u + v.x, v.y + w.x + m[0].y, sum + w.y * 0.125 + float(k) + m[1].x);
+float list[4] = float[4](p.x, 1.0, 2.0, 3.0);
+list[next()] += 5.0;
+list[next()] = list[next()] * 2.0;
+float t = take(list, 3) * take(list, 3) + take(list, k & 3);
+float u = both(list[0], list[1]);
+uint s = uint(p.x) * 17u + uint(p.y);
+vec3 v = sample_(s) + sample_(s) * 2.0 - cross(sample_(s), sample_(s));
+vec2 w = p;
+w[next() & 1] *= 3.0;
+int n = 5; float sum = 0.0;
+while (more(n)) sum += float(n);
+do sum *= 1.5; while (more(n) || next() < 8);
+for (int i = next(); more(i); sum += float(i), next()) if (sum > 100.0) break;
+mat2 m = mat2(1.0); m[next() & 1] += vec2(sum, k);
+color = vec4(t + list[0] * 0.5, u + v.x, v.y + w.x + m[0].y, sum + w.y * 0.125 + float(k) + m[1].x);
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

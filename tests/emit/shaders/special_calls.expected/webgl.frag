@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,27 +23,12 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// Built-ins whose constant arguments make Mesa compute them in another way.
+
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
-  vec2 uv = p / iResolution.yx;
-  float x = sqrt(p.x / 7.0) - p.y / iResolution.x, y = p.y / iResolution.y;
-  color = vec4(mix(x, y, 0.3), mix(x, 1.0, y), mix(vec2(x, y), uv, 0.7).y, mix(uv, vec2(y, x), x).x);
-  if (p.y > 3.0) color = vec4(pow(y, 2.0), pow(y + x, 4.0), pow(2.0, x), pow(uv, vec2(2.0)).y);
-  if (p.y > 6.0) color = vec4(min(0.0, -x * 0.0), max(vec2(0.5), uv).x, pow(y, 1.0), pow(abs(x), 1.3));
+vec2 uv = p / iResolution.yx;
+float x = sqrt(p.x / 7.0) - p.y / iResolution.x, y = p.y / iResolution.y;
+color = vec4(mix(x, y, 0.3), mix(x, 1.0, y), mix(vec2(x, y), uv, 0.7).y, mix(uv, vec2(y, x), x).x);
+if (p.y > 3.0) color = vec4(pow(y, 2.0), pow(y + x, 4.0), pow(2.0, x), pow(uv, vec2(2.0)).y);
+if (p.y > 6.0) color = vec4(min(0.0, -x * 0.0), max(vec2(0.5), uv).x, pow(y, 1.0), pow(abs(x), 1.3));
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

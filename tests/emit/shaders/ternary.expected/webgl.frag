@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,35 +23,20 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// Conditionals, logic that short-circuits, commas and assignments as values.
+
 int calls = 0;
 bool tick(bool b) { calls++; return b; }
 float bump(inout float x) { x += 1.0; return x; }
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
-  float x = p.x, y = p.y, z;
-  bool a = tick(x > 3.0) && tick(y > 3.0), b = tick(x > 5.0) || tick(y > 5.0), c = tick(a) ^^ tick(b);
-  float r = x > y ? bump(x) : bump(y);
-  z = x > 4.0 ? y > 2.0 ? 1.0 : 2.0 : 3.0;
-  float w = (x = y + 1.0) * 2.0;
-  int i = 0; i += i = 3;
-  float s = a ? bump(x) + bump(y) : b && c ? -1.0 : bump(x) * 0.5;
-  vec2 v = vec2(1.0); v.yx = v *= 2.0;
-  if (!(a || b) && c == false) s += 0.5;
-  color = vec4(r + z * 8.0, w + float(calls) * 32.0, s + float(i), v.x + v.y + x - y);
+float x = p.x, y = p.y, z;
+bool a = tick(x > 3.0) && tick(y > 3.0), b = tick(x > 5.0) || tick(y > 5.0), c = tick(a) ^^ tick(b);
+float r = x > y ? bump(x) : bump(y);
+z = x > 4.0 ? y > 2.0 ? 1.0 : 2.0 : 3.0;
+float w = (x = y + 1.0) * 2.0;
+int i = 0; i += i = 3;
+float s = a ? bump(x) + bump(y) : b && c ? -1.0 : bump(x) * 0.5;
+vec2 v = vec2(1.0); v.yx = v *= 2.0;
+if (!(a || b) && c == false) s += 0.5;
+color = vec4(r + z * 8.0, w + float(calls) * 32.0, s + float(i), v.x + v.y + x - y);
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

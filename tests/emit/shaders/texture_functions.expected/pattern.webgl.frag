@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,25 +23,10 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// Something to sample, other in every pixel and frame.
+
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
-  uint h = uint(p.x) * 374761393u + uint(p.y) * 668265263u + uint(iFrame) * 2246822519u;
-  h = (h ^ (h >> 13)) * 1274126177u;
-  color = vec4(h & 255u, (h >> 8) & 255u, (h >> 16) & 255u, h >> 24) / 255.0 * 4.0 - 1.0;
+uint h = uint(p.x) * 374761393u + uint(p.y) * 668265263u + uint(iFrame) * 2246822519u;
+h = (h ^ (h >> 13)) * 1274126177u;
+color = vec4(h & 255u, (h >> 8) & 255u, (h >> 16) & 255u, h >> 24) / 255.0 * 4.0 - 1.0;
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,22 +23,7 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// Every function that reads a texture, through nearest sampling; samplers as parameters.
+
 
 
 
@@ -47,15 +31,15 @@ uniform sampler2D iKeyboard;
 vec4 look(sampler2D s, vec2 uv) { return texture(s, uv) + texelFetch(s, ivec2(uv * 3.0), 0); }
 float size(in sampler2D s, int i) { return float(textureSize(s, 0)[i]); }
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
-  vec2 uv = p / iResolution.xy;
-  int k = int(p.y) % 8;
-  color = vec4(size(iChannel0, 0), size(iChannel0, 1), iChannelResolution[0].xy);
-  if (k == 0) color = look(iChannel0, uv * 2.0 + 0.01);
-  if (k == 1) color = textureLod(iChannel0, -uv, 0.0);
-  if (k == 2) color = textureGrad(iChannel0, uv.yx, vec2(0.01), vec2(0.0));
-  if (k == 3) color = textureOffset(iChannel0, uv, ivec2(1, -2)) + texelFetchOffset(iChannel0, ivec2(p), 0, ivec2(-1, 1));
-  if (k == 4) color = textureProj(iChannel0, vec3(p, 20.0)) + textureProj(iChannel0, vec4(p, 1.0, 16.0));
-  if (k == 5) color = texture(iChannel0, uv, 1.0) + textureLodOffset(iChannel0, uv, 0.0, ivec2(2));
-  if (k == 6) color = textureProjLod(iChannel0, vec3(p, 8.0), 0.0) + textureGradOffset(iChannel0, uv, vec2(0.0), vec2(0.0), ivec2(-1));
+vec2 uv = p / iResolution.xy;
+int k = int(p.y) % 8;
+color = vec4(size(iChannel0, 0), size(iChannel0, 1), iChannelResolution[0].xy);
+if (k == 0) color = look(iChannel0, uv * 2.0 + 0.01);
+if (k == 1) color = textureLod(iChannel0, -uv, 0.0);
+if (k == 2) color = textureGrad(iChannel0, uv.yx, vec2(0.01), vec2(0.0));
+if (k == 3) color = textureOffset(iChannel0, uv, ivec2(1, -2)) + texelFetchOffset(iChannel0, ivec2(p), 0, ivec2(-1, 1));
+if (k == 4) color = textureProj(iChannel0, vec3(p, 20.0)) + textureProj(iChannel0, vec4(p, 1.0, 16.0));
+if (k == 5) color = texture(iChannel0, uv, 1.0) + textureLodOffset(iChannel0, uv, 0.0, ivec2(2));
+if (k == 6) color = textureProjLod(iChannel0, vec3(p, 8.0), 0.0) + textureGradOffset(iChannel0, uv, vec2(0.0), vec2(0.0), ivec2(-1));
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

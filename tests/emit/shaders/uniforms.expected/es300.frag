@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-
 uniform vec3 iResolution ;
 uniform float iTime ;
 uniform float iTimeDelta ;
@@ -26,21 +25,6 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 uniform float iFrameRate ;
 uniform float iChannelTime [ 4 ] ;
-
-
-
-
-
-
-
-
-
-
-
-
-
-
-
 
 void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
 int k = int ( p . x ) % 4 ;

@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -26,27 +25,12 @@ uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
 uniform float iFrameRate;
 uniform float iChannelTime[4];
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// Every built-in uniform.
+
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
-  int k = int(p.x) % 4;
-  color = vec4(iResolution.x, iResolution.y, iResolution.z, iTime);
-  if (k == 1) color = vec4(iTimeDelta, float(iFrame), iFrameRate, iSampleRate);
-  if (k == 2) color = iDate + iMouse;
-  if (k == 3) color = vec4(iChannelResolution[0].xy, iChannelTime[1], gl_FragCoord.z + gl_FragCoord.w);
+int k = int(p.x) % 4;
+color = vec4(iResolution.x, iResolution.y, iResolution.z, iTime);
+if (k == 1) color = vec4(iTimeDelta, float(iFrame), iFrameRate, iSampleRate);
+if (k == 2) color = iDate + iMouse;
+if (k == 3) color = vec4(iChannelResolution[0].xy, iChannelTime[1], gl_FragCoord.z + gl_FragCoord.w);
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

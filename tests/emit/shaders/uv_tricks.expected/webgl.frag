@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,33 +23,18 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// Golfed code: chained assignments, loops without bodies, everything in one statement.
-#define R iResolution
-#define S(a) smoothstep(0.1, 0.9, a)
+
+
+
 mat2 r(float a) { return mat2(0.8, -0.6, 0.6, 0.8) * a; }
 void mainImage(out vec4 O, vec2 U)
 { O = vec4(0);
-    vec2 u = (U+U-R.xy)/R.y, v = u*0.;
-    O *= 0.; float i = 0., d = 1., z = 0.; vec3 q, p = vec3(0);
-    for (O = vec4(0); i++ < 9.; O += .1 / max(d, .01)) p = z * normalize(vec3(u, 1)), p.z -= 2., z += d = abs(length(p) - 1.) * .5 + .01, q = p;
-    for (int k = 0; k < 3; k++, u *= r(1.1), v += u);
-    int n = 7; n = (n & 1) == 1 ? n * 3 + 1 : n / 2, n -= 2;
-    O.rg += v *= 0.25; (O.b) = float(n) + S(u.x > 0. ? u.x : -u.x);
-    O = abs(O), O.a = 1. - (U.x < 5. ? .5 : .25), O = O.x > 3. ? O.yxzw : O;
+vec2 u = (U+U-iResolution.xy)/iResolution.y, v = u*0.;
+O *= 0.; float i = 0., d = 1., z = 0.; vec3 q, p = vec3(0);
+for (O = vec4(0); i++ < 9.; O += .1 / max(d, .01)) p = z * normalize(vec3(u, 1)), p.z -= 2., z += d = abs(length(p) - 1.) * .5 + .01, q = p;
+for (int k = 0; k < 3; k++, u *= r(1.1), v += u);
+int n = 7; n = (n & 1) == 1 ? n * 3 + 1 : n / 2, n -= 2;
+O.rg += v *= 0.25; (O.b) = float(n) + smoothstep(0.1, 0.9, u.x > 0. ? u.x : -u.x);
+O = abs(O), O.a = 1. - (U.x < 5. ? .5 : .25), O = O.x > 3. ? O.yxzw : O;
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

@@ -2,7 +2,6 @@
 precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-
 uniform vec3 iResolution ;
 uniform float iTime ;
 uniform float iTimeDelta ;
@@ -24,21 +23,6 @@ uniform sampler2D iChannel7 ;
 uniform sampler2D iChannel8 ;
 uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
-
-
-
-
-
-
-
-
-
-
-
-
-
-
-
 
 void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
 precise vec4 v = vec4 ( p , p . yx * 0.5 ) ;

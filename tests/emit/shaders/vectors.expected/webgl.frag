@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,40 +23,25 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// Swizzles read and written, every operator on vectors, comparisons.
+
 void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
-  vec4 v = vec4(p, p.yx * 0.5);
-  v.wz = v.xy;
-  v.rgb = v.bgr;
-  v.st += vec2(1.0, 2.0);
-  v.xyz.zy *= 2.0;
-  v.zyxw.xy = v.xx;
-  v.y++; v.xz--; ++v.w;
-  vec3 a = v.xyz / 4.0 + 1.0, b = 2.0 - a, c = -a * b;
-  c -= 0.5; c /= vec3(1.0, 2.0, 4.0); c *= 3.0;
-  bvec3 less = lessThan(a, b), more = greaterThanEqual(b, c);
-  bool every = all(not(less)), some = any(more), same = a == b, other = a.xy != b.xy;
-  int i = int(p.x) % 3;
-  a[i] = 9.0; b[2 - i] += 1.0;
-  vec2 t = p.x > 4.0 ? a.zy : b.xx;
-  float s = vec3(1.0, 2.0, 3.0)[i];
-  v.x = v.y = t.x;
-  color = vec4(a.x + b.y + c.z, t.x - t.y, float(every) + 2.0 * float(some) + 4.0 * float(same) + 8.0 * float(other), v.x + v.z + s);
-  if (p.y > 4.0) color = vec4(equal(a, b).x ? 1 : 2, notEqual(ivec2(a), ivec2(b)).y ? 3 : 4, mix(a, b, less).x, v.w);
+vec4 v = vec4(p, p.yx * 0.5);
+v.wz = v.xy;
+v.rgb = v.bgr;
+v.st += vec2(1.0, 2.0);
+v.xyz.zy *= 2.0;
+v.zyxw.xy = v.xx;
+v.y++; v.xz--; ++v.w;
+vec3 a = v.xyz / 4.0 + 1.0, b = 2.0 - a, c = -a * b;
+c -= 0.5; c /= vec3(1.0, 2.0, 4.0); c *= 3.0;
+bvec3 less = lessThan(a, b), more = greaterThanEqual(b, c);
+bool every = all(not(less)), some = any(more), same = a == b, other = a.xy != b.xy;
+int i = int(p.x) % 3;
+a[i] = 9.0; b[2 - i] += 1.0;
+vec2 t = p.x > 4.0 ? a.zy : b.xx;
+float s = vec3(1.0, 2.0, 3.0)[i];
+v.x = v.y = t.x;
+color = vec4(a.x + b.y + c.z, t.x - t.y, float(every) + 2.0 * float(some) + 4.0 * float(same) + 8.0 * float(other), v.x + v.z + s);
+if (p.y > 4.0) color = vec4(equal(a, b).x ? 1 : 2, notEqual(ivec2(a), ivec2(b)).y ? 3 : 4, mix(a, b, less).x, v.w);
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-
 uniform vec3 iResolution ;
 uniform float iTime ;
 uniform float iTimeDelta ;
@@ -24,17 +23,6 @@ uniform sampler2D iChannel7 ;
 uniform sampler2D iChannel8 ;
 uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
-
-
-
-
-
-
-
-
-
-
-
 uniform float speed ;
 const int Key_Backspace = 8 ;
 const int Key_Tab = 9 ;
@@ -138,10 +126,6 @@ bool isKeyDown ( precise int key ) { precise bool shadertwin_test; precise bool 
 bool isKeyPressed ( precise int key ) { precise bool shadertwin_test; precise bool shadertwin_result; return (shadertwin_result = (texture ( iKeyboard , vec2 ( float ( key ) / 255.0 , 0.375 ) ) . x > 0.0)) ; }
 bool isKeyToggled ( precise int key ) { precise bool shadertwin_test; precise bool shadertwin_result; return (shadertwin_result = (texture ( iKeyboard , vec2 ( float ( key ) / 255.0 , 0.625 ) ) . x > 0.0)) ; }
 bool isKeyReleased ( precise int key ) { precise bool shadertwin_test; precise bool shadertwin_result; return (shadertwin_result = (texture ( iKeyboard , vec2 ( float ( key ) / 255.0 , 0.875 ) ) . x > 0.0)) ; }
-
-
-
-
 
 
 

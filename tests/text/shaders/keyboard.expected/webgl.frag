@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,17 +23,6 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
 uniform float speed;
 const int Key_Backspace = 8;
 const int Key_Tab = 9;
@@ -138,11 +126,7 @@ bool isKeyDown(int key) { return texture(iKeyboard, vec2(float(key) / 255.0, 0.1
 bool isKeyPressed(int key) { return texture(iKeyboard, vec2(float(key) / 255.0, 0.375)).x > 0.0; }
 bool isKeyToggled(int key) { return texture(iKeyboard, vec2(float(key) / 255.0, 0.625)).x > 0.0; }
 bool isKeyReleased(int key) { return texture(iKeyboard, vec2(float(key) / 255.0, 0.875)).x > 0.0; }
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-// The extension's names of keys.
+
 
 
 void mainImage(out vec4 c, in vec2 p) { c = vec4(0); c = vec4(isKeyDown(Key_A) ? speed : 0.0, isKeyToggled(Key_Enter), 0, 1); }

@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(local_size_x = 8, local_size_y = 8) in; layout(rgba32f, binding = 7) writeonly uniform highp image2D shadertwin_target; uniform ivec2 shadertwin_origin; vec4 shadertwin_frag_coord; vec4 shadertoy_out_color;
-
 uniform vec3 iResolution ;
 uniform float iTime ;
 uniform float iTimeDelta ;
@@ -26,24 +25,8 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 
-
-
-
-
-
-
-
-
-
-
-
-
-
-void mainImage ( inout vec4 , in vec2 ) ;
+void mainImage ( out vec4 o , vec2 u ) { o = vec4(0); o = vec4 ( 0 ) ; o = vec4 ( u , 0 , 1 ) ; }
 void shadertwin_main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , shadertwin_frag_coord . xy ) ; shadertoy_out_color = shadertoy_color ; }
-
-
-void mainImage ( inout vec4 o , vec2 u ) { o = vec4 ( u , 0 , 1 ) ; }
 void main() { ivec2 shadertwin_pixel = ivec2(gl_GlobalInvocationID.xy) + shadertwin_origin;
 if (any(greaterThanEqual(shadertwin_pixel, ivec2(iResolution.xy)))) return;
 shadertwin_frag_coord = vec4(vec2(shadertwin_pixel) + 0.5, 0.5, 1.0);

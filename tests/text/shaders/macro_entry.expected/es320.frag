@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-
 uniform vec3 iResolution ;
 uniform float iTime ;
 uniform float iTimeDelta ;
@@ -26,21 +25,5 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 
-
-
-
-
-
-
-
-
-
-
-
-
-
-void mainImage ( inout vec4 , in vec2 ) ;
+void mainImage ( precise out vec4 o , precise vec2 u ) { precise bool shadertwin_test; o = vec4 ( 0 ) ; o = vec4 ( 0 ) ; o = vec4 ( u , 0 , 1 ) ; }
 void main ( ) { precise bool shadertwin_test; precise vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }
-
-
-void mainImage ( precise inout vec4 o , precise vec2 u ) { precise bool shadertwin_test; o = vec4 ( u , 0 , 1 ) ; }

@@ -16,19 +16,21 @@ struct Shader : Invocation {
   static constexpr bool uses_implicit_lod = false;
   static constexpr bool uses_stop = false;
 
+#line 3 "tests/text/shaders/macro_entry.glsl"
+  void mainImage(Bool active, vec4& o, vec2 u) {
+#line 3 "tests/text/shaders/macro_entry.glsl"
+    set__(active, o, vec4(0.0f));
+#line 3 "tests/text/shaders/macro_entry.glsl"
+    set__(active, o, vec4(u, 0.0f, 1.0f));
+#line 3 "tests/text/shaders/macro_entry.glsl"
+  }
+#line 28 "twin.cpp"
+
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);
     mainImage(active, shadertoy_color, gl_FragCoord.xy());
     set__(active, shadertoy_out_color, shadertoy_color);
   }
-
-#line 3 "tests/text/shaders/macro_entry.glsl"
-  void mainImage(Bool active, vec4& o, vec2 u) {
-#line 3 "tests/text/shaders/macro_entry.glsl"
-    set__(active, o, vec4(u, 0.0f, 1.0f));
-#line 3 "tests/text/shaders/macro_entry.glsl"
-  }
-#line 32 "twin.cpp"
 
 };
 

@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define SHADER_TOY 
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -24,23 +23,7 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define texture2D texture
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define texture2DProjLodEXT textureProjLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-#define texture2DProjGradEXT textureProjGrad
-#define textureCubeGradEXT textureGrad
-#define iGlobalTime iTime
-#define iGlobalFrame iFrame
-#define varying in
-#define gl_FragColor shadertoy_out_color
-#define gl_FragDepthEXT gl_FragDepth
-#define GLSL_FRAGCOLOR gl_FragColor
-void mainImage(inout vec4, in vec2);
+
+
+void mainImage(out vec4 o, vec2 u) { o = vec4(0); o = vec4(u, 0, 1); }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }
-// An entry point that a macro makes.
-#define mainImage(o, u) mainImage(inout vec4 o, vec2 u)
-void mainImage(o, u) { o = vec4(u, 0, 1); }

@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define HW_PERFORMANCE 1
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -19,11 +18,11 @@ uniform sampler2D iChannel2;
 uniform sampler2D iChannel3;
 void mainImage(out vec4, in vec2);
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }
-// What all passes share.
-#define TAU 6.2831853
-float wave(float t, float hertz) { return sin(TAU * hertz * t); }
+
+
+float wave(float t, float hertz) { return sin(6.2831853 * hertz * t); }
 
 
 void mainImage(out vec4 c, in vec2 p) { c = vec4(0);
-  c = texelFetch(iChannel0, ivec2(p), 0) + texture(iChannel1, vec3(p, 1.0)) * wave(iTime, 1.0);
+c = texelFetch(iChannel0, ivec2(p), 0) + texture(iChannel1, vec3(p, 1.0)) * wave(iTime, 1.0);
 }

@@ -2,7 +2,6 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
-#define HW_PERFORMANCE 1
 uniform vec3 iResolution;
 uniform float iTime;
 uniform float iTimeDelta;
@@ -19,7 +18,7 @@ uniform sampler2D iChannel2;
 uniform sampler2D iChannel3;
 uniform int shadertwin_face; void mainCubemap(out vec4, in vec2, in vec3, in vec3);
 void main() { vec2 st = 2.0 * gl_FragCoord.xy / iResolution.xy - 1.0; vec3 shadertwin_ray = shadertwin_face == 0 ? vec3(1.0, -st.y, -st.x) : shadertwin_face == 1 ? vec3(-1.0, -st.y, st.x) : shadertwin_face == 2 ? vec3(st.x, 1.0, st.y) : shadertwin_face == 3 ? vec3(st.x, -1.0, -st.y) : shadertwin_face == 4 ? vec3(st.x, -st.y, 1.0) : vec3(-st.x, -st.y, -1.0); vec4 shadertoy_color = vec4(0.0); mainCubemap(shadertoy_color, gl_FragCoord.xy, vec3(0.0), normalize(shadertwin_ray)); shadertoy_out_color = vec4(unpackHalf2x16(packHalf2x16(shadertoy_color.rg)), unpackHalf2x16(packHalf2x16(shadertoy_color.ba))); }
-// What all passes share.
-#define TAU 6.2831853
-float wave(float t, float hertz) { return sin(TAU * hertz * t); }
+
+
+float wave(float t, float hertz) { return sin(6.2831853 * hertz * t); }
 void mainCubemap(out vec4 c, in vec2 p, in vec3 origin, in vec3 direction) { c = vec4(0); c = vec4(direction, wave(p.x, 1.0)); }

@@ -1,0 +1,62 @@
+// The preprocessor of GLSL ES 3.00: resolves directives and macros exactly as Chromium does, so that whatever
+// reads a shader behind it sees plain code. Where Chromium (ANGLE) departs from the C standard, Chromium is
+// followed; the cases in tests/text/preprocessor_cases.txt say where, and are put to the browser itself.
+//
+// Why no ready-made preprocessor: Boost.Wave is one of C++. It pastes tokens, takes names that are undefined
+// in #if for zero, calculates in 64 bits, wants string literals closed and forgives junk behind #endif; none
+// of it can be turned off.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace shadertwin {
+
+struct PlainToken {
+  std::string text;
+  // Physical line, from 1, whatever #line says; never decreases. Of what a macro made: the line of its name
+  // or, if it has parameters, of its closing parenthesis, as in a browser's messages. \n, \r\n and a single
+  // \r each end a line.
+  int line = 1;
+  bool space_before = false;
+};
+
+struct Diagnostic {
+  int line = 1;         // physical
+  std::string message;  // one line, without place
+};
+
+struct PlainText {
+  std::vector<PlainToken> tokens;  // no directives, no comments, no continuations
+  std::vector<PlainToken>
+      directives;                    // what stays for the compiler: each #extension and #pragma as one token
+  std::vector<Diagnostic> errors;    // what a browser refuses, in its order, at most 100; empty if it accepts
+  std::vector<Diagnostic> warnings;  // what a browser takes but hardly anybody means
+  std::vector<std::string>
+      macros;  // names that the text defines at any time, in the order of their first #define
+};
+
+struct PreprocessOptions {
+  // Names and replacements of object-like macros. The text may define these anew or undefine them without
+  // complaint.
+  std::vector<std::pair<std::string, std::string>> predefined;
+  // Whether the text stands behind a host's head with code in it, as on shadertoy.com: #version and
+  // #extension are then refused wherever they are. Else #version 300 es may be on the first line, and
+  // #extension before the first code.
+  bool behind_head = true;
+};
+
+// A text is refused, besides what browsers refuse, where its macros make more than 1,000,000 tokens of the
+// result or more than 4,000,000 on the way: a browser would not end. Time is linear in the text and in those.
+PlainText preprocess(std::string_view text, const PreprocessOptions& options = {});
+
+// Every token on its line and each directive on its own: line numbers stay. Exactly line_count lines, each
+// ended by \n. line_count: at least as many as the text has; tokens beyond would stand in the last.
+std::string to_text(const PlainText& text, int line_count);
+
+// How many lines a text has, as PlainToken counts them; a line end at the very end begins no other.
+int count_lines(std::string_view text);
+
+}  // namespace shadertwin
