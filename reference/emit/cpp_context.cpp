@@ -141,13 +141,16 @@ std::string CppContext::type(const TType& type, bool varying) const {
   }
 }
 
+bool CppContext::is_finite(double value) const {
+  return options_.double_precision ? std::isfinite(value) : std::isfinite(static_cast<float>(value));
+}
+
 std::string CppContext::literal(double value) const {
-  const float narrow = static_cast<float>(value);
-  if (options_.double_precision ? !std::isfinite(value) : !std::isfinite(narrow)) {
+  if (!is_finite(value)) {
     if (std::isnan(value)) return "uintBitsToFloat(0x7fc00000u)";
     return value > 0 ? "uintBitsToFloat(0x7f800000u)" : "uintBitsToFloat(0xff800000u)";
   }
-  return options_.double_precision ? shortest(value) : shortest(narrow) + 'f';
+  return options_.double_precision ? shortest(value) : shortest(static_cast<float>(value)) + 'f';
 }
 
 std::string CppContext::global(const TIntermSymbol& symbol) const {
@@ -166,6 +169,24 @@ std::string CppContext::builtin(const std::string& glsl_name) const {
 
 std::string CppContext::field(const TType& structure, int index) const {
   return cpp_name((*structure.getStruct())[index].type->getFieldName().c_str());
+}
+
+Expression CppContext::scalar(const TConstUnion& number) const {
+  const auto signed_text = [](bool is_negative, const std::string& text) {
+    return is_negative ? Expression{text, Binding::prefix, '-'} : Expression{text};
+  };
+  switch (number.getType()) {
+    case EbtInt:
+      if (number.getIConst() == -2147483647 - 1) return {"(-2147483647 - 1)"};
+      return signed_text(number.getIConst() < 0, std::to_string(number.getIConst()));
+    case EbtUint:
+      return {std::to_string(number.getUConst()) + 'u'};
+    case EbtBool:
+      return {number.getBConst() ? "true" : "false"};
+    default:
+      return signed_text(is_finite(number.getDConst()) && std::signbit(number.getDConst()),
+                         literal(number.getDConst()));
+  }
 }
 
 std::string CppContext::value(const TType& type, const TConstUnionArray& values, int& at,
@@ -187,32 +208,19 @@ std::string CppContext::value(const TType& type, const TConstUnionArray& values,
                   [&](int i) { return value(*members[i].type, values, at, varying); }) +
            "}";
   }
-  const auto scalar = [&](int) -> std::string {
-    const TConstUnion& number = values[at++];
-    switch (number.getType()) {
-      case EbtInt:
-        return number.getIConst() == -2147483647 - 1 ? "(-2147483647 - 1)"
-                                                     : std::to_string(number.getIConst());
-      case EbtUint:
-        return std::to_string(number.getUConst()) + 'u';
-      case EbtBool:
-        return number.getBConst() ? "true" : "false";
-      default:
-        return literal(number.getDConst());
-    }
-  };
+  const auto component = [&](int) { return scalar(values[at++]).text; };
   const int count = type.isMatrix() ? type.getMatrixCols() * type.getMatrixRows() : type.getVectorSize();
-  if (!type.isMatrix() && !type.isVector()) return scalar(0);
+  if (!type.isMatrix() && !type.isVector()) return component(0);
   bool all_equal = type.isVector();
   for (int i = 1; i < count && all_equal; ++i) all_equal = values[at + i] == values[at];
-  std::string text = this->type(type, varying) + "(";
-  if (type.isMatrix() && varying) text.insert(0, "make<").replace(text.size() - 1, 1, ">(");
+  const std::string name = this->type(type, varying);
+  std::string text = (type.isMatrix() && varying ? "make<" + name + ">" : name) + "(";
   if (all_equal && (values[at].getType() != EbtFloat || values[at].getDConst() != 0 ||
                     !std::signbit(values[at].getDConst()))) {
-    text += scalar(0);
+    text += component(0);
     at += count - 1;
   } else {
-    text += joined(count, scalar);
+    text += joined(count, component);
   }
   return text + ")";
 }
@@ -244,14 +252,19 @@ bool CppContext::is_global_constant(const std::string& name, const TIntermConsta
          found->second->getConstArray() == node.getConstArray();
 }
 
-std::string CppContext::constant(const TIntermConstantUnion& node) {
-  int at = 0;
-  const bool wide = options_.packets && is_wide_constant(node.getType());
-  const std::string text = value(node.getType(), node.getConstArray(), at, wide);
+Expression CppContext::constant(const TIntermConstantUnion& node, bool varying) {
+  const TType& type = node.getType();
   const std::string name = named_constant(node);
-  const bool named = !name.empty() && (is_large(node.getType()) || is_global_constant(name, node));
-  if (!named && !node.getType().isArray()) return text;
-  return hoist(named ? name : "constant", type(node.getType(), wide), text);
+  const bool named = !name.empty() && (is_large(type) || is_global_constant(name, node));
+  const bool wide = options_.packets && (varying || is_wide_constant(type));
+  const auto value = [&] {
+    int at = 0;
+    return this->value(type, node.getConstArray(), at, wide);
+  };
+  if (named || type.isArray()) return {hoist(named ? name : "constant", this->type(type, wide), value())};
+  Expression literal = type.isScalar() ? scalar(node.getConstArray()[0]) : Expression{value()};
+  literal.is_literal = true;
+  return literal;
 }
 
 }  // namespace shadertwin::emit

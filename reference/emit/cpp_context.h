@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/emit/emit_cpp.h"
+#include "reference/emit/expression.h"
 #include "reference/emit/names.h"
 #include "reference/emit/program.h"
 
@@ -48,8 +49,8 @@ class CppContext {
   std::string builtin(const std::string& glsl_name) const;
   std::string field(const glslang::TType& structure, int index) const;
 
-  // A constant's value, or the name of the hoisted constant that holds it.
-  std::string constant(const glslang::TIntermConstantUnion& node);
+  // A constant's value, or the name of the hoisted constant that holds it. `varying`: as one of packets.
+  Expression constant(const glslang::TIntermConstantUnion& node, bool varying = false);
   // A constant's value, written out.
   std::string value(const glslang::TType& type, const glslang::TConstUnionArray& values, int& at,
                     bool varying = false) const;
@@ -57,6 +58,8 @@ class CppContext {
   const std::vector<std::string>& hoisted() const { return hoisted_; }
 
  private:
+  bool is_finite(double value) const;
+  Expression scalar(const glslang::TConstUnion& number) const;
   std::string named_constant(const glslang::TIntermConstantUnion& node);
   bool is_global_constant(const std::string& name, const glslang::TIntermConstantUnion& node) const;
   std::string hoist(const std::string& wanted_name, const std::string& type, const std::string& value);
