@@ -327,6 +327,16 @@ bool CppExpressions::place_comes_first(const TIntermTyped& left, const TIntermTy
                      [&](SymbolId id) { return id != base->getId() && value.writes.count(id) != 0; });
 }
 
+// `ivec3(2, 1, 0)` for zyx, of the index's own type.
+std::string CppExpressions::component_table(const std::vector<int>& components, const TIntermTyped& index) const {
+  const bool is_unsigned = index.getBasicType() == EbtUint;
+  std::string numbers;
+  for (const int component : components)
+    numbers += (numbers.empty() ? "" : ", ") + std::to_string(component) + (is_unsigned ? "u" : "");
+  return std::string(context_.options().packets ? "uniform::" : "") + (is_unsigned ? "uvec" : "ivec") +
+         std::to_string(components.size()) + "(" + numbers + ")";
+}
+
 std::string CppExpressions::chain(const TIntermTyped& node, bool bind, std::vector<Element>& elements) {
   const TIntermBinary* binary = node.getAsBinaryNode();
   if (binary == nullptr) return expression(node).at_least(Binding::postfix);
@@ -337,8 +347,12 @@ std::string CppExpressions::chain(const TIntermTyped& node, bool bind, std::vect
            context_.field(container.getType(), constant_index(right));
   if (const Swizzle one = swizzle_of(node); one.components.size() == 1)
     return chain(*one.base, bind, elements) + '.' + component_names[one.components[0]];
-  const std::string base = chain(container, bind || has_effects(right), elements);
+  // v.zyx[i] is the component of v that stands there.
+  const Swizzle parts = swizzle_of(container);
+  const bool is_swizzle = parts.components.size() > 1;
+  const std::string base = chain(is_swizzle ? *parts.base : container, bind || has_effects(right), elements);
   Expression index = expression(right);
+  if (is_swizzle) index = call_of("at", component_table(parts.components, right) + ", " + index.text);
   if (varies(right) || has_effects(right) || (bind && right.getAsConstantUnion() == nullptr))
     index = temporary(right, index.text);
   if (varies(right)) {

@@ -134,6 +134,7 @@ class CppExpressions {
   CppWriter& out_;
 
  private:
+  std::string component_table(const std::vector<int>& components, const glslang::TIntermTyped& index) const;
   std::string chain(const glslang::TIntermTyped& node, bool bind, std::vector<Element>& elements);
 };
 
