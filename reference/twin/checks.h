@@ -1,5 +1,5 @@
 // What a twin that is compiled with SHADERTWIN_CHECK notes while it draws a pixel: undefined operations with
-// their place in the shader, where NaN and infinities are born, how often loops turn, and, for pixels that
+// their place in the shader, where NaN and infinities first appear, how often loops turn, and, for pixels that
 // are traced, every value. Names end in two underscores, which no shader's name does.
 #pragma once
 
@@ -81,7 +81,7 @@ class Checks {
     return value;
   }
 
-  // A value from a texture: what is wrong with it was born elsewhere.
+  // A value from a texture: what is wrong with it first appeared elsewhere.
   template <class T>
   T sampled__(const T& value) {
     if (traced_) [[unlikely]]
