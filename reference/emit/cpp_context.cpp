@@ -64,10 +64,6 @@ bool is_wide_constant(const TType& type) {
   return type.isStruct() || (type.isArray() && type.getBasicType() == EbtBool);
 }
 
-std::string cpp_name(const std::string& glsl_name) {
-  return is_taken_in_cpp(glsl_name) ? glsl_name + '_' : glsl_name;
-}
-
 StructTable::StructTable(const Program& program) {
   for (const TIntermSymbol* symbol : program.globals()) add(symbol->getType());
   TypeCollector collector;
@@ -86,20 +82,30 @@ void StructTable::add(const TType& type) {
   if (!type.isStruct() || find(type) >= 0) return;
   for (const TTypeLoc& member : *type.getStruct()) add(*member.type);
   const std::string name = type.getTypeName().c_str();
-  entries_.push_back({&type, names_.take(cpp_name(name.empty() ? "Anonymous" : name))});
+  Entry entry{&type, names_.take(name.empty() ? "Anonymous" : global_cpp_name(name)), {}};
+  // C++ wants no member to be called like its own type.
+  NameScope fields = names_;
+  for (const TTypeLoc& member : *type.getStruct())
+    entry.fields.push_back(fields.take(cpp_name(member.type->getFieldName().c_str())));
+  entries_.push_back(std::move(entry));
 }
 
-const std::string& StructTable::name_of(const TType& type) const {
-  return entries_[find(type)].name;
+const StructTable::Entry& StructTable::entry(const TType& type) const {
+  return entries_[find(type)];
 }
 
 CppContext::CppContext(const Program& program, const CppOptions& options)
     : program_(program), options_(options), structs_(program) {
-  for (const StructTable::Entry& entry : structs_.entries()) names_.reserve(entry.name);
+  for (const StructTable::Entry& entry : structs_.entries()) {
+    names_.reserve(entry.name);
+    used_names_.insert(entry.name);
+    used_names_.insert(entry.fields.begin(), entry.fields.end());
+  }
   std::set<std::string> builtins;
   for (const Function& function : program.functions()) {
-    functions_[function.name] = cpp_name(function.name);
+    functions_[function.name] = global_cpp_name(function.name);
     names_.reserve(functions_[function.name]);
+    used_names_.insert(functions_[function.name]);
     builtins.insert(function.builtins.begin(), function.builtins.end());
   }
   for (const std::string& name : builtins) names_.reserve(name);
@@ -108,7 +114,8 @@ CppContext::CppContext(const Program& program, const CppOptions& options)
       constants_[symbol->getName().c_str()] = symbol;
       continue;
     }
-    globals_[symbol->getId()] = names_.take(cpp_name(symbol->getName().c_str()));
+    globals_[symbol->getId()] = names_.take(global_cpp_name(symbol->getName().c_str()));
+    used_names_.insert(globals_[symbol->getId()]);
   }
 }
 
@@ -117,7 +124,7 @@ std::string CppContext::type(const TType& type, bool varying) const {
     const TType element(type, 0);
     return "array<" + this->type(element, varying) + ", " + std::to_string(type.getOuterArraySize()) + ">";
   }
-  if (type.isStruct()) return structs_.name_of(type);
+  if (type.isStruct()) return structs_.entry(type).name;
   const bool packed = options_.packets && varying;
   const std::string space = options_.packets && !varying ? "uniform::" : "";
   if (type.isMatrix()) return space + matrix_name(type);
@@ -160,7 +167,11 @@ std::string CppContext::global(const TIntermSymbol& symbol) const {
 
 std::string CppContext::function(const std::string& glsl_name) const {
   const auto found = functions_.find(glsl_name);
-  return found == functions_.end() ? cpp_name(glsl_name) : found->second;
+  return found == functions_.end() ? global_cpp_name(glsl_name) : found->second;
+}
+
+std::string CppContext::local(const TIntermSymbol& symbol) {
+  return *used_names_.insert(cpp_name(symbol.getName().c_str())).first;
 }
 
 std::string CppContext::builtin(const std::string& glsl_name) const {
@@ -168,7 +179,7 @@ std::string CppContext::builtin(const std::string& glsl_name) const {
 }
 
 std::string CppContext::field(const TType& structure, int index) const {
-  return cpp_name((*structure.getStruct())[index].type->getFieldName().c_str());
+  return structs_.entry(structure).fields[static_cast<std::size_t>(index)];
 }
 
 Expression CppContext::scalar(const TConstUnion& number) const {
@@ -238,7 +249,8 @@ std::string CppContext::hoist(const std::string& wanted_name, const std::string&
   const std::string key = wanted_name + ' ' + value;
   const auto found = hoisted_names_.find(key);
   if (found != hoisted_names_.end()) return found->second;
-  const std::string name = names_.take(cpp_name(wanted_name));
+  const std::string name = names_.take(global_cpp_name(wanted_name));
+  used_names_.insert(name);
   hoisted_names_[key] = name;
   hoisted_.push_back("const " + type + " " + name + " = " + value + ";");
   return name;

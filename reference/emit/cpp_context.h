@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,11 +19,12 @@ class StructTable {
   struct Entry {
     const glslang::TType* type = nullptr;
     std::string name;
+    std::vector<std::string> fields;
   };
 
   explicit StructTable(const Program& program);
   const std::vector<Entry>& entries() const { return entries_; }
-  const std::string& name_of(const glslang::TType& type) const;
+  const Entry& entry(const glslang::TType& type) const;
 
  private:
   void add(const glslang::TType& type);
@@ -54,6 +56,11 @@ class CppContext {
   // A constant's value, written out.
   std::string value(const glslang::TType& type, const glslang::TConstUnionArray& values, int& at,
                     bool varying = false) const;
+  // The name of a parameter or local variable.
+  std::string local(const glslang::TIntermSymbol& symbol);
+  // All names of the shader's that have been asked for. A header that the twin includes may define them as
+  // macros.
+  const std::set<std::string>& used_names() const { return used_names_; }
   // Declarations of the constants that constant() has hoisted, in the order of their first use.
   const std::vector<std::string>& hoisted() const { return hoisted_; }
 
@@ -73,13 +80,11 @@ class CppContext {
   std::map<std::string, const glslang::TIntermSymbol*> constants_;  // of the global scope
   std::map<std::string, std::string> hoisted_names_;                // by wanted name and value
   std::vector<std::string> hoisted_;
+  std::set<std::string> used_names_;
 };
 
 // Whether packets hold a constant of this type as one of varying values. Structures have no other shape, and
 // a lone bool is no 32-bit word.
 bool is_wide_constant(const glslang::TType& type);
-
-// `name`, or `name_` where C++ or the twin's library has taken it.
-std::string cpp_name(const std::string& glsl_name);
 
 }  // namespace shadertwin::emit

@@ -29,6 +29,8 @@ CppFunction::CppFunction(CppContext& context, const Function& function, Function
   // A local variable must not hide what this function needs.
   for (const std::string& name : function.calls) names_.reserve(context.function(name));
   for (const std::string& name : function.builtins) names_.reserve(context.builtin(name));
+  names_.reserve("exp2");             // pow(2.0, x)
+  names_.reserve("uintBitsToFloat");  // infinities
   for (const StructTable::Entry& entry : context.structs().entries()) names_.reserve(entry.name);
   for (const TIntermSymbol* symbol : context.program().globals()) names_.reserve(context.global(*symbol));
   for (const Parameter& parameter : function.parameters) {
@@ -38,7 +40,7 @@ CppFunction::CppFunction(CppContext& context, const Function& function, Function
 }
 
 std::string CppFunction::take_name(const TIntermSymbol& symbol) {
-  const std::string name = names_.take(cpp_name(symbol.getName().c_str()));
+  const std::string name = names_.take(context_.local(symbol));
   scope_.locals[symbol.getId()] = name;
   return name;
 }
@@ -250,7 +252,7 @@ void CppFunction::initialise(const TIntermSymbol& symbol, const TIntermTyped& va
 void CppFunction::jump(const TIntermBranch& node) {
   switch (node.getFlowOp()) {
     case EOpKill:
-      return out_.statement("stop_invocation()");
+      return out_.statement("stop_invocation__()");
     case EOpBreak:
       return out_.statement("break");
     case EOpContinue:
@@ -353,8 +355,8 @@ void CppFunction::loop(const TIntermLoop& node, const std::string& initialiser) 
 }
 
 void CppFunction::begin_round() {
-  if (context_.options().loop_guards) out_.statement("loop_guard()");
-  if (context_.options().checks) out_.statement("if (round__()) stop_invocation()");
+  if (context_.options().loop_guards) out_.statement("loop_guard__()");
+  if (context_.options().checks) out_.statement("if (round__()) stop_invocation__()");
 }
 
 void CppFunction::loop_body(const TIntermLoop& node) {

@@ -61,11 +61,6 @@ class CppText {
   SourceLine expected_;
 };
 
-bool looks_like_macro(const std::string& name) {
-  return name.size() > 1 && std::isupper(static_cast<unsigned char>(name[0])) != 0 &&
-         std::none_of(name.begin(), name.end(), [](unsigned char c) { return std::islower(c) != 0; });
-}
-
 class CppModule {
  public:
   CppModule(const Project& project, const Program& program, const CppOptions& options,
@@ -96,6 +91,9 @@ class CppModule {
     }
     text_.add("#include \"reference/twin/alone.h\"");
     text_.add("");
+    for (const std::string& macro : context_.used_names()) text_.add("#pragma push_macro(\"" + macro + "\")");
+    undefine_macros();
+    text_.add("");
     text_.add("namespace " + name + " {");
     text_.add("");
     text_.add("using namespace shadertwin::glsl;");
@@ -110,6 +108,8 @@ class CppModule {
     for (const CppLine& line : functions) text_.add(line);
     text_.add("");
     text_.add("}  // namespace " + name);
+    text_.add("");
+    for (const std::string& macro : context_.used_names()) text_.add("#pragma pop_macro(\"" + macro + "\")");
     return text_.take();
   }
 
@@ -141,7 +141,7 @@ class CppModule {
     if (!context_.hoisted().empty()) text_.add("");
     text_.add("struct Shader : Invocation {");
     variables();
-    text_.add(packets ? "  void initialise(Bool " + initial_mask_ + ") {" : "  void initialise() {");
+    text_.add(packets ? "  void initialise__(Bool " + initial_mask_ + ") {" : "  void initialise__() {");
     for (CppLine& line : initialisers) {
       line.depth += 2;
       text_.add(line);
@@ -162,12 +162,7 @@ class CppModule {
  private:
   // A shader may use any name that C++'s headers define as a macro.
   void undefine_macros() {
-    std::set<std::string> names;
-    for (const Token& token : program_.tree().tokens()) {
-      if (looks_like_macro(token.text) && is_identifier(token.text) && token.text.rfind("SHADERTWIN", 0) != 0)
-        names.insert(token.text);
-    }
-    for (const std::string& name : names) text_.add("#undef " + name);
+    for (const std::string& name : context_.used_names()) text_.add("#undef " + name);
   }
 
   void structs() {
@@ -292,21 +287,21 @@ class CppModule {
 
   void bindings() {
     text_.add("  template <class Bind>");
-    text_.add("  void bind_uniforms(Bind&& bind) {");
+    text_.add("  void bind_uniforms__(Bind&& bind) {");
     for (const TIntermSymbol* symbol : program_.globals()) {
       if (symbol->getQualifier().storage == EvqUniform && !is_unused_uniform(*symbol))
         text_.add(std::string("    bind(\"") + symbol->getName().c_str() + "\", " + context_.global(*symbol) +
                   ");");
     }
     text_.add("  }");
-    text_.add(std::string("  static constexpr bool uses_derivatives = ") +
+    text_.add(std::string("  static constexpr bool uses_derivatives__ = ") +
               (program_.uses_derivatives() ? "true" : "false") + ";");
-    text_.add(std::string("  static constexpr bool uses_implicit_lod = ") +
+    text_.add(std::string("  static constexpr bool uses_implicit_lod__ = ") +
               (program_.uses_implicit_lod() ? "true" : "false") + ";");
     // Packets discard by their mask.
     const bool stops = (program_.uses_discard() && !context_.options().packets) ||
                        context_.options().loop_guards || context_.options().checks;
-    text_.add(std::string("  static constexpr bool uses_stop = ") + (stops ? "true" : "false") + ";");
+    text_.add(std::string("  static constexpr bool uses_stop__ = ") + (stops ? "true" : "false") + ";");
   }
 
   // The variable that holds the pixel: the output at location 0, or the only one.

@@ -128,6 +128,26 @@ TEST(EmitCpp, WordsOfCppAreRenamed) {
                        "Float delete_(Float new_) {\nreturn new_;\n"));
 }
 
+TEST(EmitCpp, NamesThatDifferByUnderscoresStayApart) {
+  EXPECT_TRUE(contains(emitted("float f(float new, float new_, float set__, float a_) { return new + new_ + "
+                               "set__ + a_; }"),
+                       "return new_ + new__ + set___ + a_;\n"));
+}
+
+TEST(EmitCpp, MemberNamedAfterItsTypeIsRenamed) {
+  EXPECT_TRUE(contains(emitted("struct ray { vec3 d; };\nstruct hit { ray ray; };\nvec3 f(hit h) { return h.ray.d; }"),
+                       "ray ray_2;\n"));
+}
+
+TEST(EmitCpp, GlobalNamedAfterABuiltinIsRenamed) {
+  EXPECT_TRUE(contains(emitted("struct length { float x; };\nfloat f() { return length(3.0).x; }"),
+                       "return length_{3.0f}.x;\n"));
+}
+
+TEST(EmitCpp, MacrosOfHeadersAreUndefined) {
+  EXPECT_TRUE(contains(emitted("float f(float alloca) { return alloca; }"), "#undef alloca\n"));
+}
+
 TEST(EmitCpp, LocalNamedAfterABuiltinThatTheFunctionCallsIsRenamed) {
   EXPECT_TRUE(contains(emitted("float f(vec2 p) { float length = length(p); return length; }"),
                        "Float length_2 = length(p);\nreturn length_2;\n"));
