@@ -1,10 +1,14 @@
 #include "host/text/fold.h"
 
+#include <glslang/MachineIndependent/ParseHelper.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <optional>
 #include <vector>
+
+#include "reference/emit/operators.h"
 
 using glslang::TIntermAggregate;
 using glslang::TIntermConstantUnion;
@@ -299,6 +303,37 @@ TIntermTyped* corrected(TIntermTyped* node, const Values& values) {
   return values.empty() ? rounded(node) : with_values(node, values);
 }
 
+class EffectFinder : public glslang::TIntermTraverser {
+ public:
+  bool found = false;
+
+  bool visitAggregate(glslang::TVisit, TIntermAggregate* node) override {
+    return note(node->getOp() == glslang::EOpFunctionCall);
+  }
+  bool visitBinary(glslang::TVisit, glslang::TIntermBinary* node) override {
+    return note(assignment_operator(node->getOp()).sign != nullptr);
+  }
+  bool visitUnary(glslang::TVisit, glslang::TIntermUnary* node) override {
+    return note(is_increment(node->getOp()));
+  }
+
+ private:
+  bool note(bool has_effect) {
+    found |= has_effect;
+    return true;
+  }
+};
+
+// f().length() is a constant to glslang, which forgets the call; it becomes (f(), 3).
+TIntermTyped* with_effects(glslang::TIntermediate& tree, TIntermNode* operand, TIntermTyped* length,
+                           const glslang::TSourceLoc& place) {
+  TIntermTyped* typed = operand != nullptr ? operand->getAsTyped() : nullptr;
+  if (typed == nullptr || length == nullptr) return length;
+  EffectFinder finder;
+  typed->traverse(&finder);
+  return finder.found ? tree.addComma(typed, length, place) : length;
+}
+
 }  // namespace
 
 ConstantFolding::ConstantFolding(Folding wanted) : previous_(folding) {
@@ -315,6 +350,7 @@ ConstantFolding::~ConstantFolding() {
 #define FOLD_BINARY _ZNK7glslang20TIntermConstantUnion4foldENS_9TOperatorEPKNS_12TIntermTypedE
 #define FOLD_UNARY _ZNK7glslang20TIntermConstantUnion4foldENS_9TOperatorERKNS_5TTypeE
 #define FOLD_CALL _ZN7glslang13TIntermediate4foldEPNS_16TIntermAggregateE
+#define CALL _ZN7glslang13TParseContext18handleFunctionCallERKNS_10TSourceLocEPNS_9TFunctionEP11TIntermNode
 #define LITERAL _ZNK7glslang13TIntermediate16addConstantUnionEdNS_10TBasicTypeERKNS_10TSourceLocEb
 #define JOIN_(a, b) a##b
 #define JOIN(a, b) JOIN_(a, b)
@@ -344,6 +380,15 @@ TIntermTyped* REAL(FOLD_CALL)(glslang::TIntermediate* tree, TIntermAggregate* ca
 TIntermTyped* WRAP(FOLD_CALL)(glslang::TIntermediate* tree, TIntermAggregate* call) {
   const auto values = shadertwin::emit::fold_call(*call);
   return shadertwin::emit::corrected(REAL(FOLD_CALL)(tree, call), values);
+}
+
+TIntermTyped* REAL(CALL)(glslang::TParseContext* parser, const glslang::TSourceLoc& loc,
+                         glslang::TFunction* function, TIntermNode* arguments);
+TIntermTyped* WRAP(CALL)(glslang::TParseContext* parser, const glslang::TSourceLoc& loc,
+                         glslang::TFunction* function, TIntermNode* arguments) {
+  const bool is_length = function->getBuiltInOp() == glslang::EOpArrayLength;
+  TIntermTyped* result = REAL(CALL)(parser, loc, function, arguments);
+  return is_length ? shadertwin::emit::with_effects(parser->intermediate, arguments, result, loc) : result;
 }
 
 TIntermConstantUnion* REAL(LITERAL)(const glslang::TIntermediate* tree, double value,

@@ -2,7 +2,8 @@
 //
 // glslang computes constants in double. Every GLSL compiler of a driver computes them in float, operation by
 // operation, so the last bits of `2.0 * PI / 3.0` would differ. The library's own folding functions are
-// wrapped at link time (see CMakeLists.txt) to round operands and results to float.
+// wrapped at link time (see CMakeLists.txt) to round operands and results to float. So is its parser's
+// function for calls, since it folds f().length() to a number and forgets the call.
 #pragma once
 
 #include "host/text/syntax_tree.h"

@@ -11,6 +11,7 @@
 #include "host/text/map_log.h"
 #include "host/text/render.h"
 #include "host/text/resolve_macros.h"
+#include "host/text/switch_labels.h"
 
 namespace shadertwin::emit {
 namespace {
@@ -70,7 +71,7 @@ SyntaxTree::SyntaxTree(const Project& project, const PassSource& source, Folding
   tokens_ = preprocess(project, source, errors);
   is_precise_ =
       std::any_of(tokens_.begin(), tokens_.end(), [](const Token& t) { return t.text == "precise"; });
-  const std::string lines = one_token_a_line(tokens_);
+  const std::string lines = one_token_a_line(with_kept_labels(tokens_));
   const char* strings = lines.c_str();
   shader_ = std::make_unique<glslang::TShader>(EShLangFragment);
   shader_->setStrings(&strings, 1);

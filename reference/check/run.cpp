@@ -30,9 +30,9 @@ std::string kind_name(Check kind) {
 std::string what(Check kind) {
   switch (kind) {
     case Check::nan_born:
-      return "NaN is born";
+      return "NaN first appears";
     case Check::infinity_born:
-      return "infinity is born";
+      return "infinity first appears";
     default:
       return glsl::describe(kind);
   }

@@ -47,7 +47,7 @@ bool is_referable(const TIntermTyped& node) {
 
 }  // namespace
 
-CppExpressions::Text CppExpressions::aggregate(const TIntermAggregate& node, bool wants_value) {
+Expression CppExpressions::aggregate(const TIntermAggregate& node, bool wants_value) {
   const TOperator op = node.getOp();
   if (op == EOpFunctionCall) return call(node, wants_value);
   if (op == EOpComma || op == EOpSequence) return comma(node, wants_value);
@@ -55,46 +55,42 @@ CppExpressions::Text CppExpressions::aggregate(const TIntermAggregate& node, boo
   return builtin_call(node);
 }
 
-CppExpressions::Text CppExpressions::comma(const TIntermAggregate& node, bool wants_value) {
+Expression CppExpressions::comma(const TIntermAggregate& node, bool wants_value) {
   const TIntermSequence& parts = node.getSequence();
-  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
-    const std::string text = statement(*parts[i]->getAsTyped());
-    if (!text.empty()) prelude_.push_back(text + ";");
-  }
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) statement(*parts[i]->getAsTyped());
   const TIntermTyped& last = *parts.back()->getAsTyped();
-  return wants_value ? expression(last) : Text{statement(last), Binding::comma};
+  return wants_value ? expression(last) : discarded(last);
 }
 
-CppExpressions::Text CppExpressions::constructor(const TIntermAggregate& node) {
+Expression CppExpressions::constructor(const TIntermAggregate& node) {
   const TType& type = node.getType();
   const std::string name = type_of(node);
   const std::string values = arguments(node.getSequence());
   if (type.isArray()) return {name + "{{" + values + "}}", Binding::postfix};
   if (type.isStruct()) return {name + "{" + values + "}", Binding::postfix};
   const bool plain = is_plain_constructor(type, node.getSequence());
-  return {(plain ? name : "make<" + name + ">") + "(" + values + ")", Binding::postfix};
+  return call_of(plain ? name : "make<" + name + ">", values);
 }
 
-CppExpressions::Text CppExpressions::builtin_call(const TIntermAggregate& node) {
+Expression CppExpressions::builtin_call(const TIntermAggregate& node) {
   const std::string name = context_.builtin(builtin_name(node.getOp()));
   const TIntermSequence& sequence = node.getSequence();
   if (node.getOp() == EOpModf && !is_referable(*sequence[1]->getAsTyped())) {
     const TIntermTyped& whole = *sequence[1]->getAsTyped();
     const std::string part = names_.take("whole");
-    prelude_.push_back(context_.type(whole.getType()) + " " + part + ";");
-    const Text fraction =
-        temporary(node, name + "(" + expression(*sequence[0]->getAsTyped()).text + ", " + part + ")");
-    prelude_.push_back(place(whole, false).write + " = " + part + ";");
+    out_.statement(context_.type(whole.getType()) + " " + part);
+    const std::string given = expression(*sequence[0]->getAsTyped()).text;
+    const Expression fraction = temporary(node, call_of(name, given + ", " + part).text);
+    copy_out(place(whole, false), part);
     return fraction;
   }
   // A checking twin asks what the function is given, not how a driver gets around it.
   if (!context_.options().checks) {
-    if (const Text special = special_case(node); !special.text.empty()) return special;
+    if (const Expression special = special_case(node); !special.is_empty()) return special;
   }
-  const std::string text = name + "(" + arguments(sequence) + ")";
-  const bool samples = name.rfind("tex", 0) == 0 && node.getBasicType() == EbtFloat;
-  if (context_.options().checks && samples) return {"sampled__(" + text + ")", Binding::postfix};
-  return {text, Binding::postfix};
+  const Expression result = call_of(name, arguments(sequence));
+  const bool samples = reads_texture(node.getOp()) && node.getBasicType() == EbtFloat;
+  return context_.options().checks && samples ? call_of("sampled__", result.text) : result;
 }
 
 // GLSL copies out and inout arguments in and out. A reference can't be told from that unless the function can
@@ -116,45 +112,61 @@ bool CppExpressions::can_pass_by_reference(const TIntermAggregate& call, std::si
   return true;
 }
 
-CppExpressions::Text CppExpressions::call(const TIntermAggregate& node, bool wants_value) {
+// Arguments are evaluated, and the places of out arguments found, from left to right. What comes in through a
+// place is read when the call begins, and goes out from left to right when it ends.
+Expression CppExpressions::call(const TIntermAggregate& node, bool wants_value) {
   const Function& callee = context_.program().function(node);
-  const TIntermSequence& sequence = node.getSequence();
-  std::vector<const TIntermTyped*> in_operands;
-  std::vector<std::size_t> in_places;
-  for (std::size_t i = 0; i < sequence.size(); ++i) {
-    if (is_out(node.getQualifierList()[i])) continue;
-    in_operands.push_back(sequence[i]->getAsTyped());
-    in_places.push_back(i);
+  std::vector<const TIntermTyped*> operands;
+  std::vector<bool> is_late;
+  for (std::size_t i = 0; i < node.getSequence().size(); ++i) {
+    operands.push_back(node.getSequence()[i]->getAsTyped());
+    is_late.push_back(callee.parameters[i].is_out || is_read_late(*operands[i]));
   }
-  const std::vector<Text> in_texts = in_order(in_operands);
 
-  std::vector<std::string> texts(sequence.size());
-  for (std::size_t i = 0; i < in_texts.size(); ++i)
-    texts[in_places[i]] = in_texts[i].at_least(Binding::assignment);
-  std::vector<std::string> copies_out;
-  for (std::size_t i = 0; i < sequence.size(); ++i) {
-    if (!is_out(node.getQualifierList()[i])) continue;
-    const TIntermTyped& target = *sequence[i]->getAsTyped();
-    const Place found = place(target, context_.program().effects(target).writes_any());
-    texts[i] = found.read;
-    if (can_pass_by_reference(node, i)) continue;
+  std::vector<std::string> texts;
+  std::vector<Place> places(operands.size());
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    if (callee.parameters[i].is_out) {
+      const bool bind =
+          std::any_of(operands.begin() + static_cast<std::ptrdiff_t>(i) + 1, operands.end(),
+                      [&](const TIntermTyped* later) { return place_comes_first(*operands[i], *later); });
+      places[i] = place(*operands[i], bind);
+      texts.emplace_back();
+    } else {
+      Expression text = expression(*operands[i]);
+      if (order_shows(operands, is_late, i)) text = temporary(*operands[i], text.text);
+      texts.push_back(in_argument(callee.parameters[i], *operands[i], text).at_least(Binding::assignment));
+    }
+  }
+
+  std::vector<std::size_t> copied;
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    if (!callee.parameters[i].is_out) continue;
+    load(places[i]);
+    texts[i] = places[i].read;
+    if (places[i].elements.empty() && can_pass_by_reference(node, i)) continue;
     texts[i] = names_.take("tmp");
-    const bool reads = node.getQualifierList()[i] == EvqInOut;
-    prelude_.push_back(context_.type(target.getType()) + " " + texts[i] +
-                       (reads ? " = " + found.read + ";" : ";"));
-    copies_out.push_back(found.write + " = " + texts[i] + ";");
+    const std::string type = context_.type(operands[i]->getType(), true);
+    // Packets keep what the pixels had that don't take part.
+    if (callee.parameters[i].is_inout || context_.options().packets)
+      out_.declare(type, texts[i], places[i].read);
+    else
+      out_.statement(type + ' ' + texts[i]);
+    copied.push_back(i);
   }
 
-  std::string text = context_.function(callee.name) + "(";
-  for (std::size_t i = 0; i < texts.size(); ++i) text += (i > 0 ? ", " : "") + texts[i];
-  text += ")";
-  if (copies_out.empty()) return {text, Binding::postfix};
-  Text result;
+  std::string list = mask_argument();
+  for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + text;
+  const Expression called = call_of(context_.function(callee.name), list);
+  const bool discards = may_discard(callee);
+  if (copied.empty() && !discards) return called;
+  Expression result;
   if (node.getBasicType() == EbtVoid || !wants_value)
-    prelude_.push_back(text + ";");
+    out_.statement(called.text);
   else
-    result = temporary(node, text);
-  prelude_.insert(prelude_.end(), copies_out.begin(), copies_out.end());
+    result = temporary(node, called.text);
+  for (const std::size_t i : copied) copy_out(places[i], texts[i]);
+  if (discards) leave_discarded();
   return result;
 }
 

@@ -64,10 +64,6 @@ bool is_wide_constant(const TType& type) {
   return type.isStruct() || (type.isArray() && type.getBasicType() == EbtBool);
 }
 
-std::string cpp_name(const std::string& glsl_name) {
-  return is_taken_in_cpp(glsl_name) ? glsl_name + '_' : glsl_name;
-}
-
 StructTable::StructTable(const Program& program) {
   for (const TIntermSymbol* symbol : program.globals()) add(symbol->getType());
   TypeCollector collector;
@@ -86,20 +82,30 @@ void StructTable::add(const TType& type) {
   if (!type.isStruct() || find(type) >= 0) return;
   for (const TTypeLoc& member : *type.getStruct()) add(*member.type);
   const std::string name = type.getTypeName().c_str();
-  entries_.push_back({&type, names_.take(cpp_name(name.empty() ? "Anonymous" : name))});
+  Entry entry{&type, names_.take(name.empty() ? "Anonymous" : global_cpp_name(name)), {}};
+  // C++ wants no member to be called like its own type.
+  NameScope fields = names_;
+  for (const TTypeLoc& member : *type.getStruct())
+    entry.fields.push_back(fields.take(cpp_name(member.type->getFieldName().c_str())));
+  entries_.push_back(std::move(entry));
 }
 
-const std::string& StructTable::name_of(const TType& type) const {
-  return entries_[find(type)].name;
+const StructTable::Entry& StructTable::entry(const TType& type) const {
+  return entries_[find(type)];
 }
 
 CppContext::CppContext(const Program& program, const CppOptions& options)
     : program_(program), options_(options), structs_(program) {
-  for (const StructTable::Entry& entry : structs_.entries()) names_.reserve(entry.name);
+  for (const StructTable::Entry& entry : structs_.entries()) {
+    names_.reserve(entry.name);
+    used_names_.insert(entry.name);
+    used_names_.insert(entry.fields.begin(), entry.fields.end());
+  }
   std::set<std::string> builtins;
   for (const Function& function : program.functions()) {
-    functions_[function.name] = cpp_name(function.name);
+    functions_[function.name] = global_cpp_name(function.name);
     names_.reserve(functions_[function.name]);
+    used_names_.insert(functions_[function.name]);
     builtins.insert(function.builtins.begin(), function.builtins.end());
   }
   for (const std::string& name : builtins) names_.reserve(name);
@@ -108,7 +114,8 @@ CppContext::CppContext(const Program& program, const CppOptions& options)
       constants_[symbol->getName().c_str()] = symbol;
       continue;
     }
-    globals_[symbol->getId()] = names_.take(cpp_name(symbol->getName().c_str()));
+    globals_[symbol->getId()] = names_.take(global_cpp_name(symbol->getName().c_str()));
+    used_names_.insert(globals_[symbol->getId()]);
   }
 }
 
@@ -117,7 +124,7 @@ std::string CppContext::type(const TType& type, bool varying) const {
     const TType element(type, 0);
     return "array<" + this->type(element, varying) + ", " + std::to_string(type.getOuterArraySize()) + ">";
   }
-  if (type.isStruct()) return structs_.name_of(type);
+  if (type.isStruct()) return structs_.entry(type).name;
   const bool packed = options_.packets && varying;
   const std::string space = options_.packets && !varying ? "uniform::" : "";
   if (type.isMatrix()) return space + matrix_name(type);
@@ -141,13 +148,16 @@ std::string CppContext::type(const TType& type, bool varying) const {
   }
 }
 
+bool CppContext::is_finite(double value) const {
+  return options_.double_precision ? std::isfinite(value) : std::isfinite(static_cast<float>(value));
+}
+
 std::string CppContext::literal(double value) const {
-  const float narrow = static_cast<float>(value);
-  if (options_.double_precision ? !std::isfinite(value) : !std::isfinite(narrow)) {
+  if (!is_finite(value)) {
     if (std::isnan(value)) return "uintBitsToFloat(0x7fc00000u)";
     return value > 0 ? "uintBitsToFloat(0x7f800000u)" : "uintBitsToFloat(0xff800000u)";
   }
-  return options_.double_precision ? shortest(value) : shortest(narrow) + 'f';
+  return options_.double_precision ? shortest(value) : shortest(static_cast<float>(value)) + 'f';
 }
 
 std::string CppContext::global(const TIntermSymbol& symbol) const {
@@ -157,7 +167,11 @@ std::string CppContext::global(const TIntermSymbol& symbol) const {
 
 std::string CppContext::function(const std::string& glsl_name) const {
   const auto found = functions_.find(glsl_name);
-  return found == functions_.end() ? cpp_name(glsl_name) : found->second;
+  return found == functions_.end() ? global_cpp_name(glsl_name) : found->second;
+}
+
+std::string CppContext::local(const TIntermSymbol& symbol) {
+  return *used_names_.insert(cpp_name(symbol.getName().c_str())).first;
 }
 
 std::string CppContext::builtin(const std::string& glsl_name) const {
@@ -165,7 +179,25 @@ std::string CppContext::builtin(const std::string& glsl_name) const {
 }
 
 std::string CppContext::field(const TType& structure, int index) const {
-  return cpp_name((*structure.getStruct())[index].type->getFieldName().c_str());
+  return structs_.entry(structure).fields[static_cast<std::size_t>(index)];
+}
+
+Expression CppContext::scalar(const TConstUnion& number) const {
+  const auto signed_text = [](bool is_negative, const std::string& text) {
+    return is_negative ? Expression{text, Binding::prefix, '-'} : Expression{text};
+  };
+  switch (number.getType()) {
+    case EbtInt:
+      if (number.getIConst() == -2147483647 - 1) return {"(-2147483647 - 1)"};
+      return signed_text(number.getIConst() < 0, std::to_string(number.getIConst()));
+    case EbtUint:
+      return {std::to_string(number.getUConst()) + 'u'};
+    case EbtBool:
+      return {number.getBConst() ? "true" : "false"};
+    default:
+      return signed_text(is_finite(number.getDConst()) && std::signbit(number.getDConst()),
+                         literal(number.getDConst()));
+  }
 }
 
 std::string CppContext::value(const TType& type, const TConstUnionArray& values, int& at,
@@ -187,32 +219,19 @@ std::string CppContext::value(const TType& type, const TConstUnionArray& values,
                   [&](int i) { return value(*members[i].type, values, at, varying); }) +
            "}";
   }
-  const auto scalar = [&](int) -> std::string {
-    const TConstUnion& number = values[at++];
-    switch (number.getType()) {
-      case EbtInt:
-        return number.getIConst() == -2147483647 - 1 ? "(-2147483647 - 1)"
-                                                     : std::to_string(number.getIConst());
-      case EbtUint:
-        return std::to_string(number.getUConst()) + 'u';
-      case EbtBool:
-        return number.getBConst() ? "true" : "false";
-      default:
-        return literal(number.getDConst());
-    }
-  };
+  const auto component = [&](int) { return scalar(values[at++]).text; };
   const int count = type.isMatrix() ? type.getMatrixCols() * type.getMatrixRows() : type.getVectorSize();
-  if (!type.isMatrix() && !type.isVector()) return scalar(0);
+  if (!type.isMatrix() && !type.isVector()) return component(0);
   bool all_equal = type.isVector();
   for (int i = 1; i < count && all_equal; ++i) all_equal = values[at + i] == values[at];
-  std::string text = this->type(type, varying) + "(";
-  if (type.isMatrix() && varying) text.insert(0, "make<").replace(text.size() - 1, 1, ">(");
+  const std::string name = this->type(type, varying);
+  std::string text = (type.isMatrix() && varying ? "make<" + name + ">" : name) + "(";
   if (all_equal && (values[at].getType() != EbtFloat || values[at].getDConst() != 0 ||
                     !std::signbit(values[at].getDConst()))) {
-    text += scalar(0);
+    text += component(0);
     at += count - 1;
   } else {
-    text += joined(count, scalar);
+    text += joined(count, component);
   }
   return text + ")";
 }
@@ -230,7 +249,8 @@ std::string CppContext::hoist(const std::string& wanted_name, const std::string&
   const std::string key = wanted_name + ' ' + value;
   const auto found = hoisted_names_.find(key);
   if (found != hoisted_names_.end()) return found->second;
-  const std::string name = names_.take(cpp_name(wanted_name));
+  const std::string name = names_.take(global_cpp_name(wanted_name));
+  used_names_.insert(name);
   hoisted_names_[key] = name;
   hoisted_.push_back("const " + type + " " + name + " = " + value + ";");
   return name;
@@ -244,14 +264,19 @@ bool CppContext::is_global_constant(const std::string& name, const TIntermConsta
          found->second->getConstArray() == node.getConstArray();
 }
 
-std::string CppContext::constant(const TIntermConstantUnion& node) {
-  int at = 0;
-  const bool wide = options_.packets && is_wide_constant(node.getType());
-  const std::string text = value(node.getType(), node.getConstArray(), at, wide);
+Expression CppContext::constant(const TIntermConstantUnion& node, bool varying) {
+  const TType& type = node.getType();
   const std::string name = named_constant(node);
-  const bool named = !name.empty() && (is_large(node.getType()) || is_global_constant(name, node));
-  if (!named && !node.getType().isArray()) return text;
-  return hoist(named ? name : "constant", type(node.getType(), wide), text);
+  const bool named = !name.empty() && (is_large(type) || is_global_constant(name, node));
+  const bool wide = options_.packets && (varying || is_wide_constant(type));
+  const auto value = [&] {
+    int at = 0;
+    return this->value(type, node.getConstArray(), at, wide);
+  };
+  if (named || type.isArray()) return {hoist(named ? name : "constant", this->type(type, wide), value())};
+  Expression literal = type.isScalar() ? scalar(node.getConstArray()[0]) : Expression{value()};
+  literal.is_literal = true;
+  return literal;
 }
 
 }  // namespace shadertwin::emit

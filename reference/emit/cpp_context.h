@@ -2,10 +2,12 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "reference/emit/emit_cpp.h"
+#include "reference/emit/expression.h"
 #include "reference/emit/names.h"
 #include "reference/emit/program.h"
 
@@ -17,11 +19,12 @@ class StructTable {
   struct Entry {
     const glslang::TType* type = nullptr;
     std::string name;
+    std::vector<std::string> fields;
   };
 
   explicit StructTable(const Program& program);
   const std::vector<Entry>& entries() const { return entries_; }
-  const std::string& name_of(const glslang::TType& type) const;
+  const Entry& entry(const glslang::TType& type) const;
 
  private:
   void add(const glslang::TType& type);
@@ -48,15 +51,22 @@ class CppContext {
   std::string builtin(const std::string& glsl_name) const;
   std::string field(const glslang::TType& structure, int index) const;
 
-  // A constant's value, or the name of the hoisted constant that holds it.
-  std::string constant(const glslang::TIntermConstantUnion& node);
+  // A constant's value, or the name of the hoisted constant that holds it. `varying`: as one of packets.
+  Expression constant(const glslang::TIntermConstantUnion& node, bool varying = false);
   // A constant's value, written out.
   std::string value(const glslang::TType& type, const glslang::TConstUnionArray& values, int& at,
                     bool varying = false) const;
+  // The name of a parameter or local variable.
+  std::string local(const glslang::TIntermSymbol& symbol);
+  // All names of the shader's that have been asked for. A header that the twin includes may define them as
+  // macros.
+  const std::set<std::string>& used_names() const { return used_names_; }
   // Declarations of the constants that constant() has hoisted, in the order of their first use.
   const std::vector<std::string>& hoisted() const { return hoisted_; }
 
  private:
+  bool is_finite(double value) const;
+  Expression scalar(const glslang::TConstUnion& number) const;
   std::string named_constant(const glslang::TIntermConstantUnion& node);
   bool is_global_constant(const std::string& name, const glslang::TIntermConstantUnion& node) const;
   std::string hoist(const std::string& wanted_name, const std::string& type, const std::string& value);
@@ -70,13 +80,11 @@ class CppContext {
   std::map<std::string, const glslang::TIntermSymbol*> constants_;  // of the global scope
   std::map<std::string, std::string> hoisted_names_;                // by wanted name and value
   std::vector<std::string> hoisted_;
+  std::set<std::string> used_names_;
 };
 
 // Whether packets hold a constant of this type as one of varying values. Structures have no other shape, and
 // a lone bool is no 32-bit word.
 bool is_wide_constant(const glslang::TType& type);
-
-// `name`, or `name_` where C++ or the twin's library has taken it.
-std::string cpp_name(const std::string& glsl_name);
 
 }  // namespace shadertwin::emit

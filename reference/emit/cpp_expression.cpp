@@ -15,10 +15,6 @@ bool is_integer(const TType& type) {
   return type.getBasicType() == EbtInt || type.getBasicType() == EbtUint;
 }
 
-Binding above(Binding binding) {
-  return static_cast<Binding>(static_cast<int>(binding) + 1);
-}
-
 int constant_index(const TIntermTyped& node) {
   const TConstUnion& value = node.getAsConstantUnion()->getConstArray()[0];
   return value.getType() == EbtUint ? static_cast<int>(value.getUConst()) : value.getIConst();
@@ -101,13 +97,9 @@ const char* integer_function(TOperator op, const TIntermTyped& left, const TInte
 
 }  // namespace
 
-std::string CppExpressions::value(const TIntermTyped& node, bool wide) {
-  const Text text = expression(node);
-  return wide ? widened(node, text).text : text.text;
-}
-
-std::vector<std::string> CppExpressions::take_prelude() {
-  return std::exchange(prelude_, {});
+Expression CppExpressions::value(const TIntermTyped& node, bool wide) {
+  const Expression text = expression(node);
+  return wide ? widened(node, text) : text;
 }
 
 std::string CppExpressions::self_contained(const TIntermTyped& node) {
@@ -123,55 +115,73 @@ std::string CppExpressions::self_contained_statement(const TIntermTyped& node) {
   return text;
 }
 
-CppExpressions::Text CppExpressions::enclosed(const TIntermTyped& node, bool wants_value) {
-  std::vector<std::string> outer = std::exchange(prelude_, {});
+Expression CppExpressions::enclosed(const TIntermTyped& node, bool wants_value) {
   const bool has_value = wants_value && node.getBasicType() != EbtVoid;
-  const Text text = has_value ? expression(node) : Text{statement(node), Binding::comma};
-  const std::vector<std::string> inner = std::exchange(prelude_, std::move(outer));
+  Expression text;
+  const std::vector<CppLine> inner =
+      out_.capture([&] { text = has_value ? expression(node) : discarded(node); });
   if (inner.empty()) return text;
   std::string lambda = has_value ? "[&]() -> " + type_of(node) + " { " : "[&] { ";
-  for (const std::string& line : inner) lambda += line + ' ';
-  if (!text.text.empty()) lambda += (has_value ? "return " : "") + text.text + "; ";
+  for (const CppLine& line : inner) lambda += line.written() + ' ';
+  if (!text.is_empty()) lambda += (has_value ? "return " : "") + text.text + "; ";
   return {lambda + "}()", Binding::postfix};
 }
 
-std::string CppExpressions::statement(const TIntermTyped& node) {
+void CppExpressions::statement(const TIntermTyped& node) {
+  if (const Expression text = discarded(node); !text.is_empty()) out_.statement(text.text);
+}
+
+Expression CppExpressions::discarded(const TIntermTyped& node) {
   if (const TIntermBinary* binary = node.getAsBinaryNode()) {
-    if (assignment_operator(binary->getOp()).sign != nullptr) return assignment(*binary, false).text;
+    if (assignment_operator(binary->getOp()).sign != nullptr) return assignment(*binary, false);
   }
   if (const TIntermUnary* unary = node.getAsUnaryNode()) {
-    if (is_increment(unary->getOp())) return increment(*unary, false).text;
+    if (is_increment(unary->getOp())) return increment(*unary, false);
   }
   if (const TIntermAggregate* call = node.getAsAggregate()) {
     // vec2(a); would declare a in C++.
-    const char* cast = is_constructor(call->getOp()) ? "(void)" : "";
-    return cast + aggregate(*call, false).text;
+    if (is_constructor(call->getOp())) return {"(void)" + aggregate(*call, false).text, Binding::prefix};
+    return aggregate(*call, false);
   }
-  return expression(node).text;
+  return expression(node);
 }
 
-CppExpressions::Text CppExpressions::temporary(const TIntermTyped& node, const std::string& text) {
+bool CppExpressions::is_read_late(const TIntermTyped& operand) const {
+  return is_place(context_.program().tree(), operand);
+}
+
+bool CppExpressions::has_effects(const TIntermTyped& node) const {
+  return context_.program().effects(node).writes_any();
+}
+
+Expression CppExpressions::temporary(const TIntermTyped& node, const std::string& text) {
   const std::string name = names_.take("tmp");
-  prelude_.push_back("const " + type_of(node) + " " + name + " = " + text + ";");
+  out_.declare("const " + type_of(node), name, text);
   return {name};
 }
 
-std::vector<CppExpressions::Text> CppExpressions::in_order(const std::vector<const TIntermTyped*>& operands,
-                                                           bool wide) {
-  std::vector<const Effects*> effects;
-  for (const TIntermTyped* operand : operands) effects.push_back(&context_.program().effects(*operand));
-  const SyntaxTree& tree = context_.program().tree();
-  std::vector<Text> texts;
+bool CppExpressions::order_shows(const std::vector<const TIntermTyped*>& operands,
+                                 const std::vector<bool>& is_late, std::size_t i) const {
+  const Effects& effects = context_.program().effects(*operands[i]);
+  for (std::size_t j = 0; j < operands.size(); ++j) {
+    // What writes a place that is read late has to come first.
+    const bool reads_before = j > i && !is_late[i];
+    const bool writes_before = j < i && is_late[j];
+    if ((reads_before || writes_before) && effects.conflicts_with(context_.program().effects(*operands[j])))
+      return true;
+  }
+  return false;
+}
+
+std::vector<Expression> CppExpressions::in_order(const std::vector<const TIntermTyped*>& operands,
+                                                 bool wide) {
+  std::vector<bool> is_late;
+  for (const TIntermTyped* operand : operands)
+    is_late.push_back(is_read_late(*operand));
+  std::vector<Expression> texts;
   for (std::size_t i = 0; i < operands.size(); ++i) {
-    Text text = expression(*operands[i]);
-    bool order_shows = false;
-    for (std::size_t j = 0; j < operands.size(); ++j) {
-      // A place is read when all operands are there, so what writes it has to come first.
-      const bool reads_before = j > i && !is_place(tree, *operands[i]);
-      const bool writes_before = j < i && is_place(tree, *operands[j]);
-      order_shows |= (reads_before || writes_before) && effects[i]->conflicts_with(*effects[j]);
-    }
-    if (order_shows) text = temporary(*operands[i], text.text);
+    Expression text = expression(*operands[i]);
+    if (order_shows(operands, is_late, i)) text = temporary(*operands[i], text.text);
     texts.push_back(wide ? widened(*operands[i], text) : text);
   }
   return texts;
@@ -184,10 +194,10 @@ std::string CppExpressions::arguments(const TIntermSequence& sequence, bool wide
 }
 
 std::string CppExpressions::arguments(const std::vector<const TIntermTyped*>& operands, bool wide) {
-  const std::vector<Text> texts = in_order(operands);
+  const std::vector<Expression> texts = in_order(operands);
   std::string text;
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    const Text argument = wide ? packed(*operands[i], texts[i]) : texts[i];
+    const Expression argument = wide ? packed(*operands[i], texts[i]) : texts[i];
     text += (text.empty() ? "" : ", ") + argument.at_least(Binding::assignment);
   }
   return text;
@@ -197,21 +207,18 @@ std::string CppExpressions::type_of(const TIntermTyped& node) const {
   return context_.type(node.getType());
 }
 
-CppExpressions::Text CppExpressions::expression(const TIntermTyped& node) {
+Expression CppExpressions::expression(const TIntermTyped& node) {
   if (const TIntermSymbol* name = node.getAsSymbolNode()) return symbol(*name);
-  if (const TIntermConstantUnion* constant = node.getAsConstantUnion()) {
-    const std::string text = context_.constant(*constant);
-    return {text, text[0] == '-' ? Binding::prefix : Binding::primary};
-  }
+  if (const TIntermConstantUnion* constant = node.getAsConstantUnion()) return context_.constant(*constant);
   if (const TIntermBinary* operation = node.getAsBinaryNode()) return binary(*operation);
   if (const TIntermUnary* operation = node.getAsUnaryNode()) return unary(*operation);
   if (const TIntermSelection* choice = node.getAsSelectionNode()) return selection(*choice);
   return aggregate(*node.getAsAggregate(), true);
 }
 
-CppExpressions::Text CppExpressions::symbol(const TIntermSymbol& node) {
-  const auto found = locals_.find(node.getId());
-  return {found != locals_.end() ? found->second : context_.global(node)};
+Expression CppExpressions::symbol(const TIntermSymbol& node) {
+  const auto found = scope_.locals.find(node.getId());
+  return {found != scope_.locals.end() ? found->second : context_.global(node)};
 }
 
 CppExpressions::Swizzle CppExpressions::swizzle_of(const TIntermTyped& node) {
@@ -234,28 +241,28 @@ CppExpressions::Swizzle CppExpressions::swizzle_of(const TIntermTyped& node) {
   return {inner.base, components};
 }
 
-CppExpressions::Text CppExpressions::component(const Swizzle& swizzle) {
+Expression CppExpressions::component(const Swizzle& swizzle) {
   std::string text = expression(*swizzle.base).at_least(Binding::postfix) + '.';
   for (const int component : swizzle.components) text += component_names[component];
   if (swizzle.components.size() > 1) text += "()";
   return {text, Binding::postfix};
 }
 
-CppExpressions::Text CppExpressions::index(const TIntermBinary& node) {
+Expression CppExpressions::index(const TIntermBinary& node) {
   const TIntermTyped& left = *node.getLeft();
   if (node.getOp() == EOpIndexDirectStruct) {
     const int member = constant_index(*node.getRight());
     return {expression(left).at_least(Binding::postfix) + '.' + context_.field(left.getType(), member),
             Binding::postfix};
   }
-  const std::vector<Text> parts = in_order({&left, node.getRight()});
+  const std::vector<Expression> parts = in_order({&left, node.getRight()});
   const bool is_array = left.isArray();
   if ((!is_array && node.getOp() == EOpIndexIndirect) || varies(*node.getRight()))
-    return {"at(" + parts[0].text + ", " + parts[1].text + ")", Binding::postfix};
+    return call_of("at", parts[0].text + ", " + parts[1].text);
   return {parts[0].at_least(Binding::postfix) + '[' + parts[1].text + ']', Binding::postfix};
 }
 
-CppExpressions::Text CppExpressions::binary(const TIntermBinary& node) {
+Expression CppExpressions::binary(const TIntermBinary& node) {
   const TOperator op = node.getOp();
   if (!swizzle_of(node).components.empty()) return component(swizzle_of(node));
   if (op == EOpIndexDirect || op == EOpIndexIndirect || op == EOpIndexDirectStruct) return index(node);
@@ -263,36 +270,34 @@ CppExpressions::Text CppExpressions::binary(const TIntermBinary& node) {
   return arithmetic(node);
 }
 
-CppExpressions::Text CppExpressions::arithmetic(const TIntermBinary& node) {
+Expression CppExpressions::arithmetic(const TIntermBinary& node) {
   const TOperator op = node.getOp();
   if (op == EOpLogicalAnd || op == EOpLogicalOr) return logical(node);
-  const std::vector<Text> operands = in_order({node.getLeft(), node.getRight()}, varies(node));
+  const std::vector<Expression> operands = in_order({node.getLeft(), node.getRight()}, varies(node));
   return arithmetic(op, *node.getLeft(), *node.getRight(), operands[0], operands[1]);
 }
 
-CppExpressions::Text CppExpressions::logical(const TIntermBinary& node) {
+Expression CppExpressions::logical(const TIntermBinary& node) {
   const BinaryOperator sign = binary_operator(node.getOp());
-  const Text left = expression(*node.getLeft());
-  const Text right = enclosed(*node.getRight(), true);  // it may not run at all
+  const Expression left = expression(*node.getLeft());
+  const Expression right = enclosed(*node.getRight(), true);  // it may not run at all
   return {left.at_least(sign.binding) + ' ' + sign.sign + ' ' + right.at_least(above(sign.binding)),
           sign.binding};
 }
 
-CppExpressions::Text CppExpressions::arithmetic(TOperator op, const TIntermTyped& left,
-                                                const TIntermTyped& right, const Text& left_text,
-                                                const Text& right_text) {
+Expression CppExpressions::arithmetic(TOperator op, const TIntermTyped& left, const TIntermTyped& right,
+                                      const Expression& left_text, const Expression& right_text) {
   if (const char* function = integer_function(op, left, right)) {
     const bool wide = varies(left) || varies(right);
-    return {std::string(function) + "(" + (wide ? packed(left, left_text) : left_text).text + ", " +
-                (wide ? packed(right, right_text) : right_text).text + ")",
-            Binding::postfix};
+    return call_of(function, (wide ? packed(left, left_text) : left_text).text + ", " +
+                                 (wide ? packed(right, right_text) : right_text).text);
   }
   const bool compares = op == EOpEqual || op == EOpNotEqual;
+  const std::string both = left_text.text + ", " + right_text.text;
   if (compares && !left.isScalar() && (varies(left) || varies(right)))
-    return {(op == EOpEqual ? "same__(" : "!same__(") + left_text.text + ", " + right_text.text + ")",
-            Binding::prefix};
-  if (needs_division_check(op, left, right))
-    return {"checked_divide(" + left_text.text + ", " + right_text.text + ")", Binding::postfix};
+    return op == EOpEqual ? call_of("same__", both)
+                          : Expression{"!same__(" + both + ")", Binding::prefix, '!'};
+  if (needs_division_check(op, left, right)) return call_of("checked_divide", both);
   BinaryOperator sign = binary_operator(op);
   if (op == EOpLogicalXor) sign = binary_operator(EOpNotEqual);
   return {left_text.at_least(sign.binding) + ' ' + sign.sign + ' ' + right_text.at_least(above(sign.binding)),
@@ -322,33 +327,72 @@ bool CppExpressions::place_comes_first(const TIntermTyped& left, const TIntermTy
                      [&](SymbolId id) { return id != base->getId() && value.writes.count(id) != 0; });
 }
 
-CppExpressions::Place CppExpressions::place(const TIntermTyped& left, bool bind) {
-  const Swizzle swizzle = swizzle_of(left);
-  const bool is_swizzle = swizzle.components.size() > 1;
-  const TIntermTyped& variable = is_swizzle ? *swizzle.base : left;
-  std::string text = expression(variable).at_least(Binding::postfix);
-  if (bind) {
-    const std::string name = names_.take("place");
-    prelude_.push_back(context_.type(variable.getType()) + "& " + name + " = " + text + ";");
-    text = name;
+// `ivec3(2, 1, 0)` for zyx, of the index's own type.
+std::string CppExpressions::component_table(const std::vector<int>& components, const TIntermTyped& index) const {
+  const bool is_unsigned = index.getBasicType() == EbtUint;
+  std::string numbers;
+  for (const int component : components)
+    numbers += (numbers.empty() ? "" : ", ") + std::to_string(component) + (is_unsigned ? "u" : "");
+  return std::string(context_.options().packets ? "uniform::" : "") + (is_unsigned ? "uvec" : "ivec") +
+         std::to_string(components.size()) + "(" + numbers + ")";
+}
+
+std::string CppExpressions::chain(const TIntermTyped& node, bool bind, std::vector<Element>& elements) {
+  const TIntermBinary* binary = node.getAsBinaryNode();
+  if (binary == nullptr) return expression(node).at_least(Binding::postfix);
+  const TIntermTyped& container = *binary->getLeft();
+  const TIntermTyped& right = *binary->getRight();
+  if (binary->getOp() == EOpIndexDirectStruct)
+    return chain(container, bind, elements) + '.' +
+           context_.field(container.getType(), constant_index(right));
+  if (const Swizzle one = swizzle_of(node); one.components.size() == 1)
+    return chain(*one.base, bind, elements) + '.' + component_names[one.components[0]];
+  // v.zyx[i] is the component of v that stands there.
+  const Swizzle parts = swizzle_of(container);
+  const bool is_swizzle = parts.components.size() > 1;
+  const std::string base = chain(is_swizzle ? *parts.base : container, bind || has_effects(right), elements);
+  Expression index = expression(right);
+  if (is_swizzle) index = call_of("at", component_table(parts.components, right) + ", " + index.text);
+  if (varies(right) || has_effects(right) || (bind && right.getAsConstantUnion() == nullptr))
+    index = temporary(right, index.text);
+  if (varies(right)) {
+    const std::string element = names_.take("element");
+    elements.push_back({context_.type(node.getType(), true), base, index.text, element});
+    return element;
   }
-  if (!is_swizzle) return {text, text};
+  if (!container.isArray() && binary->getOp() == EOpIndexIndirect)
+    return "at(" + base + ", " + index.text + ")";
+  return base + '[' + index.text + ']';
+}
+
+CppExpressions::Place CppExpressions::place(const TIntermTyped& left, bool bind) {
+  Place result;
+  const Swizzle swizzle = swizzle_of(left);
+  result.is_swizzle = swizzle.components.size() > 1;
+  result.read = result.write = chain(result.is_swizzle ? *swizzle.base : left, bind, result.elements);
+  if (!result.is_swizzle) return result;
   std::string letters;
   std::string numbers;
   for (const int component : swizzle.components) {
     letters += component_names[component];
     numbers += (numbers.empty() ? "" : ", ") + std::to_string(component);
   }
-  return {text + '.' + letters + "()", "swizzle<" + numbers + ">(" + text + ")"};
+  result.write = "swizzle<" + numbers + ">(" + result.read + ")";
+  result.read += '.' + letters + "()";
+  return result;
 }
 
-CppExpressions::Text CppExpressions::assignment(const TIntermBinary& node, bool wants_value) {
+void CppExpressions::copy_out(const Place& place, const std::string& value) {
+  out_.statement(place.write + " = " + value);
+}
+
+Expression CppExpressions::assignment(const TIntermBinary& node, bool wants_value) {
   const TIntermTyped& left = *node.getLeft();
   const TIntermTyped& right = *node.getRight();
   const BinaryOperator op = assignment_operator(node.getOp());
 
   const Place target = place(left, place_comes_first(left, right));
-  Text right_text = expression(right);
+  Expression value = expression(right);
   std::string sign = op.sign;
   // C++ has no such operator on the two types, or not with GLSL's meaning: say it as left = left op right.
   const bool spelled_out =
@@ -356,73 +400,73 @@ CppExpressions::Text CppExpressions::assignment(const TIntermBinary& node, bool 
       (integer_function(op.plain, left, right) != nullptr || needs_division_check(op.plain, left, right) ||
        (right.isMatrix() && op.plain != EOpAdd && op.plain != EOpSub));
   if (spelled_out) {
-    right_text = arithmetic(op.plain, left, right, {target.read, Binding::postfix}, right_text);
+    if (has_effects(right)) value = temporary(right, value.text);  // the place is read behind it
+    value = arithmetic(op.plain, left, right, target.value(), value);
     sign = "=";
   }
-  const std::string text = target.write + ' ' + sign + ' ' + right_text.at_least(Binding::assignment);
-  if (!wants_value || target.write == target.read) return {text, Binding::assignment};
-  prelude_.push_back(text + ";");
-  return {target.read, Binding::postfix};
+  const std::string text = target.write + ' ' + sign + ' ' + value.at_least(Binding::assignment);
+  if (!wants_value || !target.is_swizzle) return {text, Binding::assignment};
+  out_.statement(text);
+  return target.value();
 }
 
-CppExpressions::Text CppExpressions::increment(const TIntermUnary& node, bool wants_value) {
+std::string CppExpressions::one(const TType& type) const {
+  if (type.getBasicType() == EbtFloat) return context_.literal(1.0);
+  return type.getBasicType() == EbtUint ? "1u" : "1";
+}
+
+Expression CppExpressions::increment(const TIntermUnary& node, bool wants_value) {
   const TIntermTyped& operand = *node.getOperand();
-  const TOperator op = node.getOp();
-  const bool adds = op == EOpPreIncrement || op == EOpPostIncrement;
-  const bool before = op == EOpPreIncrement || op == EOpPreDecrement;
+  const Step step = step_of(node.getOp());
+  const Place target = place(operand, false);
   if (operand.isScalar()) {
-    const Text variable = expression(operand);
-    const std::string sign = adds ? "++" : "--";
-    return before ? Text{sign + variable.at_least(Binding::prefix), Binding::prefix}
-                  : Text{variable.at_least(Binding::postfix) + sign, Binding::postfix};
+    const std::string sign(2, step.sign);
+    return step.is_prefix ? Expression{sign + target.read, Binding::prefix, step.sign}
+                          : Expression{target.read + sign, Binding::postfix};
   }
-  const Place target = place(operand, context_.program().effects(operand).writes.size() > 1);
-  Text result = {target.read, Binding::postfix};
-  if (wants_value && !before) result = temporary(operand, target.read);
-  const std::string one = operand.getBasicType() == EbtFloat  ? context_.literal(1.0)
-                          : operand.getBasicType() == EbtUint ? "1u"
-                                                              : "1";
-  const std::string text = target.write + (adds ? " += " : " -= ") + one;
+  Expression result = target.value();
+  if (wants_value && !step.is_prefix) result = temporary(operand, target.read);
+  const std::string text = target.write + ' ' + step.sign + "= " + one(operand.getType());
   if (!wants_value) return {text, Binding::assignment};
-  prelude_.push_back(text + ";");
+  out_.statement(text);
   return result;
 }
 
-CppExpressions::Text CppExpressions::conversion(const TIntermTyped& node, const TIntermTyped& operand) {
+Expression CppExpressions::conversion(const TIntermTyped& node, const TIntermTyped& operand) {
   const bool plain = node.isScalar() && operand.isScalar() && node.getBasicType() != EbtBool &&
                      operand.getBasicType() != EbtFloat && !varies(node);
   const std::string type = type_of(node);
-  return {(plain ? type : "make<" + type + ">") + "(" + expression(operand).text + ")", Binding::postfix};
+  return call_of(plain ? type : "make<" + type + ">", expression(operand).text);
 }
 
-CppExpressions::Text CppExpressions::unary(const TIntermUnary& node) {
+Expression CppExpressions::unary(const TIntermUnary& node) {
   const TOperator op = node.getOp();
   const TIntermTyped& operand = *node.getOperand();
   if (is_increment(op)) return increment(node, true);
   if (is_conversion(op)) return conversion(node, operand);
-  const auto prefix = [&](const char* sign) {
-    const std::string text = expression(operand).at_least(Binding::prefix);
-    return Text{sign + (text[0] == sign[0] ? "(" + text + ")" : text), Binding::prefix};
+  const auto prefix = [&](char sign) {
+    const Expression value = expression(operand);
+    const Binding needed = value.sign == sign ? Binding::postfix : Binding::prefix;
+    return Expression{sign + value.at_least(needed), Binding::prefix, sign};
   };
   switch (op) {
     case EOpNegative:
-      return prefix("-");
+      return prefix('-');
     case EOpLogicalNot:
-      return prefix("!");
+      return prefix('!');
     case EOpBitwiseNot:
-      return prefix("~");
+      return prefix('~');
     default:
       break;
   }
-  if (const char* name = builtin_name(op))
-    return {context_.builtin(name) + "(" + expression(operand).text + ")", Binding::postfix};
+  if (const char* name = builtin_name(op)) return call_of(context_.builtin(name), expression(operand).text);
   return conversion(node, operand);
 }
 
-CppExpressions::Text CppExpressions::selection(const TIntermSelection& node) {
-  const Text condition = expression(*node.getCondition());
-  const Text yes = enclosed(*node.getTrueBlock()->getAsTyped(), true);
-  const Text no = enclosed(*node.getFalseBlock()->getAsTyped(), true);
+Expression CppExpressions::selection(const TIntermSelection& node) {
+  const Expression condition = expression(*node.getCondition());
+  const Expression yes = enclosed(*node.getTrueBlock()->getAsTyped(), true);
+  const Expression no = enclosed(*node.getFalseBlock()->getAsTyped(), true);
   return {condition.at_least(above(Binding::conditional)) + " ? " + yes.at_least(Binding::conditional) +
               " : " + no.at_least(Binding::conditional),
           Binding::conditional};

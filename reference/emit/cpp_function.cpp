@@ -10,26 +10,6 @@ using namespace glslang;
 
 namespace {
 
-// `int i = 0;` and `int j = 1;` as `int i = 0, j = 1`; empty if the lines can't be one declaration.
-std::string joined_initialisers(const std::vector<CppLine>& lines) {
-  std::string text;
-  std::string type;
-  for (const CppLine& line : lines) {
-    const std::string statement = line.text.substr(0, line.text.size() - 1);
-    if (text.empty()) {
-      text = statement;
-      type = statement.substr(0, statement.find(' ') + 1);
-    } else if (lines.front().text.find(" = ") != std::string::npos && statement.rfind(type, 0) == 0 &&
-               type.find('<') == std::string::npos && statement.find(' ', type.size()) != std::string::npos &&
-               text.compare(type.size(), 2, "= ") != 0) {
-      text += ", " + statement.substr(type.size());
-    } else {
-      return {};
-    }
-  }
-  return text;
-}
-
 // What twin::Checks can look at.
 bool is_plain_value(const TType& type) {
   return !type.isArray() && !type.isStruct() && type.getBasicType() != EbtVoid;
@@ -37,20 +17,20 @@ bool is_plain_value(const TType& type) {
 
 }  // namespace
 
-CppFunction::CppFunction(CppContext& context, const Function& function)
-    : CppFunction(context, function,
-                  [&](NameScope& names) { return std::make_unique<CppExpressions>(context, names); }) {}
-
-CppFunction::CppFunction(CppContext& context, const Function& function,
-                         const std::function<std::unique_ptr<CppExpressions>(NameScope&)>& make_expressions)
+CppFunction::CppFunction(CppContext& context, const Function& function, FunctionScope& scope,
+                         CppExpressions& expressions)
     : context_(context),
       function_(function),
-      placement_(context.program(), function),
-      expressions_(make_expressions(names_)) {
+      expressions_(expressions),
+      out_(scope.out),
+      names_(scope.names),
+      scope_(scope),
+      placement_(context.program(), function) {
   // A local variable must not hide what this function needs.
-  for (const std::string& name : function.calls)
-    names_.reserve(context.function(name.substr(0, name.find('('))));
+  for (const std::string& name : function.calls) names_.reserve(context.function(name));
   for (const std::string& name : function.builtins) names_.reserve(context.builtin(name));
+  names_.reserve("exp2");             // pow(2.0, x)
+  names_.reserve("uintBitsToFloat");  // infinities
   for (const StructTable::Entry& entry : context.structs().entries()) names_.reserve(entry.name);
   for (const TIntermSymbol* symbol : context.program().globals()) names_.reserve(context.global(*symbol));
   for (const Parameter& parameter : function.parameters) {
@@ -60,8 +40,8 @@ CppFunction::CppFunction(CppContext& context, const Function& function,
 }
 
 std::string CppFunction::take_name(const TIntermSymbol& symbol) {
-  const std::string name = names_.take(cpp_name(symbol.getName().c_str()));
-  expressions_->name_local(symbol.getId(), name);
+  const std::string name = names_.take(context_.local(symbol));
+  scope_.locals[symbol.getId()] = name;
   return name;
 }
 
@@ -78,18 +58,16 @@ std::string CppFunction::signature() {
   return text + ")";
 }
 
-std::vector<CppLine> CppFunction::lines() {
+std::vector<CppLine> CppFunction::lines(const std::string& specifier) {
   at(*function_.definition);
-  line(signature() + " {");
-  ++depth_;
-  if (context_.options().checks) line("const Caller__ caller__(*this);");
+  out_.begin(specifier + signature());
+  if (context_.options().checks) out_.statement("const Caller__ caller__(*this)");
   reset_out_parameters();
   begin();
   if (function_.body != nullptr) block(*function_.body);
   end();
-  --depth_;
-  line("}");
-  return std::move(lines_);
+  out_.end();
+  return out_.take();
 }
 
 std::string CppFunction::result_type() const {
@@ -103,11 +81,11 @@ bool CppFunction::ends_with_jump() const {
 }
 
 void CppFunction::end() {
-  if (function_.definition->getBasicType() != EbtVoid && !ends_with_jump()) line("return {};");
+  if (function_.definition->getBasicType() != EbtVoid && !ends_with_jump()) out_.statement("return {}");
 }
 
 void CppFunction::reset_out_parameter(const std::string& name) {
-  line("unwritten(" + name + ");");
+  out_.statement("unwritten(" + name + ")");
 }
 
 // What a function leaves unwritten is undefined in GLSL; it must not be what the caller's variable held.
@@ -132,44 +110,37 @@ void CppFunction::reset_out_parameters() {
 }
 
 void CppFunction::at(const TIntermNode& node) {
-  if (context_.program().tree().token_of(node) >= 0) source_ = context_.program().tree().line_of(node);
-}
-
-void CppFunction::line(const std::string& text) {
-  lines_.push_back({depth_, text, source_});
-}
-
-void CppFunction::prelude() {
-  for (const std::string& text : expressions_->take_prelude()) line(text);
+  if (context_.program().tree().token_of(node) >= 0) out_.at(context_.program().tree().line_of(node));
 }
 
 std::string CppFunction::mark() const {
-  if (!context_.options().checks || source_.file < 0) return {};
-  return "mark__(" + std::to_string(source_.file) + ", " + std::to_string(source_.line) + ")";
+  const SourceLine& source = out_.source();
+  if (!context_.options().checks || source.file < 0) return {};
+  return "mark__(" + std::to_string(source.file) + ", " + std::to_string(source.line) + ")";
 }
 
 void CppFunction::watch(const TType& type, const std::string& text) {
-  if (context_.options().checks && is_plain_value(type)) line("watch__(" + text + ");");
+  if (context_.options().checks && is_plain_value(type)) out_.statement("watch__(" + text + ")");
 }
 
 void CppFunction::watch(const TIntermTyped& left) {
   if (!context_.options().checks || !is_plain_value(left.getType()) ||
       context_.program().effects(left).writes_any())
     return;
-  const std::string text = expressions_->value(left);
-  if (expressions_->take_prelude().empty()) watch(left.getType(), text);
+  std::string text;
+  if (out_.capture([&] { text = expressions_.value(left).text; }).empty()) watch(left.getType(), text);
 }
 
-bool CppFunction::is_pending(const TIntermSymbol& symbol) const {
-  return std::any_of(pending_.begin(), pending_.end(),
-                     [&](const TIntermSymbol* other) { return other->getId() == symbol.getId(); });
+std::string CppFunction::take_block_name(const std::string& wanted) {
+  block_names_.push_back(names_.take(wanted));
+  return block_names_.back();
 }
 
 void CppFunction::declare(const TIntermSymbol& symbol) {
   const std::string name = take_name(symbol);
   block_names_.push_back(name);
-  line(context_.type(symbol.getType(), varies(symbol)) + " " + name +
-       (context_.options().initialise_locals ? "{};" : ";"));
+  out_.statement(context_.type(symbol.getType(), varies(symbol)) + " " + name +
+                 (context_.options().initialise_locals ? "{}" : ""));
 }
 
 // Declares what `block` declares before statement `index`, but leaves to the statement what its assignment
@@ -195,231 +166,201 @@ void CppFunction::declare(const Block& block, int index) {
     };
     const auto first = std::find_if(parts.begin(), parts.end(), uses);
     if (first != parts.end() && assigns(*first))
-      pending_.push_back(symbol);
+      pending_.insert(symbol->getId());
     else
       declare(*symbol);
   }
 }
 
-void CppFunction::block(const Block& block) {
-  const std::vector<std::string> outer = std::exchange(block_names_, {});
-  const TIntermSequence& statements = block.getSequence();
-  for (int i = 0; i < static_cast<int>(statements.size()); ++i) {
-    if (statements[i] == nullptr) continue;
-    if (context_.program().tree().token_of(*statements[i]) >= 0) at(*statements[i]);
-    declare(block, i);
-    if (is_declaration_list(context_.program().tree(), *statements[i])) {
-      for (const TIntermNode* declaration : statements[i]->getAsAggregate()->getSequence())
-        statement(declaration);
-    } else {
-      statement(statements[i]);
-    }
-    after(*statements[i]);
-  }
-  for (const std::string& name : block_names_) names_.give_back(name);
-  block_names_ = outer;
+void CppFunction::statement_or_list(const TIntermNode& node) {
+  if (!is_declaration_list(context_.program().tree(), node)) return statement(&node);
+  for (const TIntermNode* declaration : node.getAsAggregate()->getSequence()) statement(declaration);
 }
 
-void CppFunction::scoped(const TIntermNode* node) {
-  ++depth_;
-  if (node != nullptr) {
-    const TIntermAggregate* sequence = node->getAsAggregate();
-    if (sequence != nullptr && sequence->getOp() == EOpSequence &&
-        !is_for_loop(context_.program().tree(), *sequence))
-      block(*sequence);
-    else
-      statement(node);
-  }
-  --depth_;
+void CppFunction::block(const Block& block) {
+  with_own_names([&] {
+    const TIntermSequence& statements = block.getSequence();
+    for (int i = 0; i < static_cast<int>(statements.size()); ++i) {
+      if (statements[i] == nullptr) continue;
+      at(*statements[i]);
+      declare(block, i);
+      statement_or_list(*statements[i]);
+      after(*statements[i]);
+    }
+  });
+}
+
+void CppFunction::statements(const TIntermNode* node) {
+  const TIntermAggregate* sequence = node != nullptr ? node->getAsAggregate() : nullptr;
+  if (sequence != nullptr && sequence->getOp() == EOpSequence &&
+      !is_for_loop(context_.program().tree(), *sequence))
+    block(*sequence);
+  else
+    statement(node);
 }
 
 void CppFunction::statement(const TIntermNode* node) {
   if (node == nullptr) return;
   at(*node);
-  const TIntermAggregate* group = node->getAsAggregate();
-  const bool is_group = group != nullptr && group->getOp() == EOpSequence;
-  if (const std::string place = mark(); !place.empty() && !is_group) line(place + ";");
-  if (const TIntermLoop* repeated = node->getAsLoopNode()) return loop(*repeated, "");
-  if (const TIntermSelection* choice = node->getAsSelectionNode();
-      choice != nullptr && choice->getBasicType() == EbtVoid)
-    return selection(*choice);
-  if (const TIntermSwitch* choice = node->getAsSwitchNode()) return switch_statement(*choice);
-  if (const TIntermBranch* jump = node->getAsBranchNode()) return branch(*jump);
   const TIntermAggregate* sequence = node->getAsAggregate();
   if (sequence != nullptr && sequence->getOp() == EOpSequence) {
-    if (is_for_loop(context_.program().tree(), *sequence)) return for_loop(*sequence);
-    line("{");
-    ++depth_;
+    if (is_for_loop(context_.program().tree(), *sequence))
+      return control(*sequence->getSequence().back(), sequence);
+    out_.begin();
     block(*sequence);
-    --depth_;
-    line("}");
-    return;
+    return out_.end();
   }
-  if (const TIntermTyped* typed = node->getAsTyped()) expression_statement(*typed);
+  if (const std::string place = mark(); !place.empty()) out_.statement(place);
+  if (const TIntermBranch* branch = node->getAsBranchNode()) return jump(*branch);
+  const TIntermTyped* typed = node->getAsTyped();  // `?:` is a selection with a type
+  if (typed != nullptr && (node->getAsSelectionNode() == nullptr || typed->getBasicType() != EbtVoid))
+    expression_statement(*typed);
+  else
+    control(*node, nullptr);
+}
+
+void CppFunction::control(const TIntermNode& node, const Block* wrapper) {
+  if (const TIntermLoop* repeated = node.getAsLoopNode())
+    loop(*repeated, wrapper);
+  else if (const TIntermSelection* choice = node.getAsSelectionNode())
+    selection(*choice);
+  else
+    switch_statement(*node.getAsSwitchNode());
 }
 
 void CppFunction::expression_statement(const TIntermTyped& node) {
-  if (const TIntermBinary* assignment = node.getAsBinaryNode();
-      assignment != nullptr && assignment->getOp() == EOpAssign) {
+  const TIntermBinary* assignment = node.getAsBinaryNode();
+  if (assignment != nullptr && assignment->getOp() == EOpAssign) {
     const TIntermSymbol* left = assignment->getLeft()->getAsSymbolNode();
-    if (left != nullptr && is_pending(*left)) return initialise(*left, *assignment->getRight());
+    if (left != nullptr && pending_.erase(left->getId()) != 0)
+      return initialise(*left, *assignment->getRight());
   }
-  const std::string text = expressions_->statement(node);
-  prelude();
-  if (!text.empty()) line(text + ";");
-  if (const TIntermBinary* assignment = node.getAsBinaryNode();
-      assignment != nullptr && assignment_operator(assignment->getOp()).sign != nullptr)
+  expressions_.statement(node);
+  if (assignment != nullptr && assignment_operator(assignment->getOp()).sign != nullptr)
     watch(*assignment->getLeft());
 }
 
 void CppFunction::initialise(const TIntermSymbol& symbol, const TIntermTyped& value) {
   at(symbol);
-  const std::string text = expressions_->value(value, varies(symbol));
-  prelude();
+  const Expression text = expressions_.value(value, varies(symbol));
   const std::string name = take_name(symbol);
   block_names_.push_back(name);
-  pending_.erase(std::find_if(pending_.begin(), pending_.end(),
-                              [&](const TIntermSymbol* other) { return other->getId() == symbol.getId(); }));
-  line(context_.type(symbol.getType(), varies(symbol)) + " " + name + " = " + text + ";");
+  out_.declare(context_.type(symbol.getType(), varies(symbol)), name, text.text);
   watch(symbol.getType(), name);
 }
 
-void CppFunction::branch(const TIntermBranch& node) {
-  const auto label_value = [&] { return expressions_->value(*node.getExpression()); };
+void CppFunction::jump(const TIntermBranch& node) {
   switch (node.getFlowOp()) {
     case EOpKill:
-      return line("stop_invocation();");
+      return out_.statement("stop_invocation__()");
     case EOpBreak:
-      return line("break;");
+      return out_.statement("break");
     case EOpContinue:
-      return line("continue;");
-    case EOpCase:
-      return line("case " + label_value() + ":");
-    case EOpDefault:
-      return line("default:");
+      return out_.statement("continue");
     default:
       break;
   }
-  if (node.getExpression() == nullptr) return line("return;");
-  std::string text = expressions_->value(*node.getExpression());
-  prelude();
+  if (node.getExpression() == nullptr) return out_.statement("return");
+  std::string text = expressions_.value(*node.getExpression()).text;
   const TType& type = node.getExpression()->getType();
   if (context_.options().checks && is_plain_value(type))
     text = "watched__<" + context_.type(type) + ">(" + text + ")";
-  line("return " + text + ";");
+  out_.statement("return " + text);
 }
 
 void CppFunction::selection(const TIntermSelection& node) {
-  const std::string condition = expressions_->value(*node.getCondition());
-  prelude();
-  line("if (" + condition + ") {");
-  scoped(node.getTrueBlock());
+  const Expression condition = expressions_.value(*node.getCondition());
+  out_.begin("if (" + condition.text + ")");
+  statements(node.getTrueBlock());
   if (node.getFalseBlock() != nullptr) {
-    line("} else {");
-    scoped(node.getFalseBlock());
+    out_.next("else");
+    statements(node.getFalseBlock());
   }
-  line("}");
+  out_.end();
 }
 
 void CppFunction::switch_statement(const TIntermSwitch& node) {
-  const std::string value = expressions_->value(*node.getCondition()->getAsTyped());
-  prelude();
-  line("switch (" + value + ") {");
-  ++depth_;
+  const Expression value = expressions_.value(*node.getCondition()->getAsTyped());
+  out_.begin("switch (" + value.text + ")");
   bool in_group = false;
   for (const TIntermNode* part : node.getBody()->getSequence()) {
     if (part == nullptr) continue;
-    const TIntermBranch* jump = part->getAsBranchNode();
-    if (jump != nullptr && (jump->getFlowOp() == EOpCase || jump->getFlowOp() == EOpDefault)) {
-      if (in_group) line("[[fallthrough]];");
+    const TIntermBranch* label = part->getAsBranchNode();
+    const bool is_case = label != nullptr && label->getFlowOp() == EOpCase;
+    if (is_case || (label != nullptr && label->getFlowOp() == EOpDefault)) {
+      if (in_group) out_.statement("[[fallthrough]]");
       in_group = false;
       at(*part);
-      branch(*jump);
+      out_.line(is_case ? "case " + expressions_.value(*label->getExpression()).text + ":" : "default:");
     } else {
-      line("{");
-      scoped(part);
-      line("}");
+      out_.begin();
+      statements(part);
+      out_.end();
       in_group = true;
     }
   }
-  if (!in_group) line(";");
-  --depth_;
-  line("}");
+  if (!in_group) out_.line(";");
+  out_.end();
 }
 
 void CppFunction::declare_loop_variables(const Block& wrapper) {
   const TIntermSequence& parts = wrapper.getSequence();
-  for (int i = 0; i + 1 < static_cast<int>(parts.size()); ++i) {
+  const int last = static_cast<int>(parts.size()) - 1;
+  for (int i = 0; i < last; ++i) {
     if (parts[i] == nullptr) continue;
     declare(wrapper, i);
-    if (is_declaration_list(context_.program().tree(), *parts[i])) {
-      for (const TIntermNode* declaration : parts[i]->getAsAggregate()->getSequence()) statement(declaration);
-    } else {
-      statement(parts[i]);
-    }
+    statement_or_list(*parts[i]);
   }
-  declare(wrapper, static_cast<int>(parts.size()) - 1);
+  declare(wrapper, last);
 }
 
-void CppFunction::for_loop(const Block& wrapper) {
-  const std::vector<std::string> outer = std::exchange(block_names_, {});
-  const TIntermSequence& parts = wrapper.getSequence();
-  const SourceLine start = source_;
-  line("{");
-  ++depth_;
-  const std::size_t first_line = lines_.size();
-  declare_loop_variables(wrapper);
-  const TIntermLoop& repeated = *parts.back()->getAsLoopNode();
-  // What stands in front of the loop becomes its initialiser if C++ has room for it; the rest needs the
-  // braces.
-  const std::size_t written = lines_.size() - first_line;
-  source_ = start;
-  std::string initialiser =
-      context_.options().checks
-          ? ""
-          : joined_initialisers({lines_.begin() + static_cast<std::ptrdiff_t>(first_line), lines_.end()});
-  if (written == 0 || !initialiser.empty()) {
-    lines_.resize(first_line - 1);
-    --depth_;
-    loop(repeated, initialiser);
-  } else {
-    loop(repeated, "");
-    --depth_;
-    line("}");
-  }
-  for (const std::string& name : block_names_) names_.give_back(name);
-  block_names_ = outer;
+void CppFunction::loop(const TIntermLoop& node, const Block* wrapper) {
+  with_own_names([&] {
+    const SourceLine start = out_.source();
+    const std::vector<CppLine> setup = out_.capture([&] {
+      if (wrapper != nullptr) declare_loop_variables(*wrapper);
+    });
+    out_.at(start);
+    // What stands in front of the loop becomes its initialiser if C++ has room for it; the rest needs braces.
+    const std::optional<std::string> initialiser =
+        context_.options().checks && !setup.empty() ? std::nullopt : joined(setup);
+    if (initialiser) return loop(node, *initialiser);
+    out_.begin();
+    out_.add(setup);
+    loop(node, "");
+    out_.end();
+  });
 }
 
 void CppFunction::loop(const TIntermLoop& node, const std::string& initialiser) {
-  std::string test = node.getTest() != nullptr ? expressions_->self_contained(*node.getTest()) : "";
+  std::string test = node.getTest() != nullptr ? expressions_.self_contained(*node.getTest()) : "";
   if (const std::string place = mark(); !place.empty() && !test.empty())
     test = "(" + place + ", " + test + ")";
-  const auto begin_round = [&] {
-    if (context_.options().loop_guards) line("  loop_guard();");
-    if (context_.options().checks) line("  if (round__()) stop_invocation();");
-  };
-  const SourceLine start = source_;
+  const SourceLine start = out_.source();
   if (!node.testFirst()) {
-    line("do {");
-    begin_round();
-    scoped(node.getBody());
-    source_ = start;
-    line("} while (" + test + ");");
-    return;
-  }
-  const bool is_for = context_.program().tree().token_text(node) == "for";
-  if (is_for) {
+    out_.begin("do");
+  } else if (context_.program().tree().token_text(node) == "for") {
     const std::string terminal =
-        node.getTerminal() != nullptr ? expressions_->self_contained_statement(*node.getTerminal()) : "";
-    line("for (" + initialiser + ";" + (test.empty() ? "" : " " + test) + ";" +
-         (terminal.empty() ? "" : " " + terminal) + ") {");
+        node.getTerminal() != nullptr ? expressions_.self_contained_statement(*node.getTerminal()) : "";
+    out_.begin("for (" + initialiser + ";" + (test.empty() ? "" : " " + test) + ";" +
+               (terminal.empty() ? "" : " " + terminal) + ")");
   } else {
-    line("while (" + test + ") {");
+    out_.begin("while (" + test + ")");
   }
   begin_round();
-  scoped(node.getBody());
-  line("}");
+  loop_body(node);
+  if (node.testFirst()) return out_.end();
+  out_.at(start);
+  out_.end("} while (" + test + ");");
+}
+
+void CppFunction::begin_round() {
+  if (context_.options().loop_guards) out_.statement("loop_guard__()");
+  if (context_.options().checks) out_.statement("if (round__()) stop_invocation__()");
+}
+
+void CppFunction::loop_body(const TIntermLoop& node) {
+  statements(node.getBody());
 }
 
 }  // namespace shadertwin::emit

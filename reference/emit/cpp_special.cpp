@@ -28,14 +28,14 @@ bool is_constant(const TIntermNode& node) {
 
 }  // namespace
 
-CppExpressions::Text CppExpressions::special_case(const TIntermAggregate& node) {
+Expression CppExpressions::special_case(const TIntermAggregate& node) {
   const TIntermSequence& sequence = node.getSequence();
   if (node.getBasicType() != EbtFloat) return {};
   const bool precise = context_.program().tree().is_precise();
   const auto call = [&](const std::string& name, const std::vector<TIntermNode*>& operands) {
     std::vector<const TIntermTyped*> typed;
     for (const TIntermNode* operand : operands) typed.push_back(operand->getAsTyped());
-    return Text{name + "(" + arguments(typed, varies(node)) + ")", Binding::postfix};
+    return call_of(name, arguments(typed, varies(node)));
   };
   switch (node.getOp()) {
     case EOpMix: {
@@ -44,7 +44,7 @@ CppExpressions::Text CppExpressions::special_case(const TIntermAggregate& node) 
       const bool to_one = second && (*second == 1.0 || *second == -1.0);
       return precise || to_one || is_constant(*sequence[2])
                  ? call("mix_strict", {sequence[0], sequence[1], sequence[2]})
-                 : Text{};
+                 : Expression{};
     }
     case EOpMin:
     case EOpMax:  // the order shows in the sign of a zero
@@ -57,7 +57,7 @@ CppExpressions::Text CppExpressions::special_case(const TIntermAggregate& node) 
       const std::optional<double> exponent = uniform_constant(*sequence[1]);
       if (exponent != 1.0 && exponent != 2.0 && exponent != 4.0) return {};
       const TIntermTyped& base = *sequence[0]->getAsTyped();
-      Text x = expression(base);
+      Expression x = expression(base);
       if (exponent == 1.0) return x;
       if (base.getAsSymbolNode() == nullptr) x = temporary(base, x.text);
       const std::string square = x.text + " * " + x.text;

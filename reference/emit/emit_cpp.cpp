@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
-#include <memory>
 #include <optional>
+#include <set>
 
 #include "host/base/error.h"
 #include "reference/emit/cpp_context.h"
 #include "reference/emit/cpp_function.h"
+#include "reference/emit/packet_expression.h"
 #include "reference/emit/packet_function.h"
 
 namespace shadertwin {
@@ -39,7 +40,7 @@ class CppText {
       text_ += "#line " + std::to_string(lines + 2) + " \"" + own_name_ + "\"\n";
       expected_ = {};
     }
-    text_ += std::string(static_cast<std::size_t>(line.depth) * 2, ' ') + line.text + '\n';
+    text_ += std::string(static_cast<std::size_t>(line.depth) * 2, ' ') + line.written() + '\n';
   }
 
   std::string take() { return std::move(text_); }
@@ -60,11 +61,6 @@ class CppText {
   SourceLine expected_;
 };
 
-bool looks_like_macro(const std::string& name) {
-  return name.size() > 1 && std::isupper(static_cast<unsigned char>(name[0])) != 0 &&
-         std::none_of(name.begin(), name.end(), [](unsigned char c) { return std::islower(c) != 0; });
-}
-
 class CppModule {
  public:
   CppModule(const Project& project, const Program& program, const CppOptions& options,
@@ -75,10 +71,11 @@ class CppModule {
     std::vector<CppLine> functions;
     std::vector<std::string> prototypes;
     for (const Function& function : program_.functions()) {
-      CppFunction writer(context_, function);
+      FunctionScope scope;
+      CppExpressions expressions(context_, scope);
+      CppFunction writer(context_, function, scope, expressions);
       prototypes.push_back("inline " + writer.signature() + ";");
-      std::vector<CppLine> lines = writer.lines();
-      lines.front().text.insert(0, "inline ");
+      const std::vector<CppLine> lines = writer.lines("inline ");
       functions.push_back({});
       functions.insert(functions.end(), lines.begin(), lines.end());
     }
@@ -94,6 +91,9 @@ class CppModule {
     }
     text_.add("#include \"reference/twin/alone.h\"");
     text_.add("");
+    for (const std::string& macro : context_.used_names()) text_.add("#pragma push_macro(\"" + macro + "\")");
+    undefine_macros();
+    text_.add("");
     text_.add("namespace " + name + " {");
     text_.add("");
     text_.add("using namespace shadertwin::glsl;");
@@ -108,6 +108,8 @@ class CppModule {
     for (const CppLine& line : functions) text_.add(line);
     text_.add("");
     text_.add("}  // namespace " + name);
+    text_.add("");
+    for (const std::string& macro : context_.used_names()) text_.add("#pragma pop_macro(\"" + macro + "\")");
     return text_.take();
   }
 
@@ -117,16 +119,13 @@ class CppModule {
     if (packets) uniformity.emplace(program_);
     std::vector<CppLine> members;
     for (const Function& function : program_.functions()) {
-      const std::unique_ptr<CppFunction> writer =
-          packets ? std::make_unique<PacketFunction>(context_, function, *uniformity)
-                  : std::make_unique<CppFunction>(context_, function);
-      for (CppLine& line : writer->lines()) {
+      for (CppLine& line : packets ? packet_lines(function, *uniformity) : single_lines(function)) {
         ++line.depth;
         members.push_back(std::move(line));
       }
       members.push_back({});
     }
-    const std::vector<std::string> initialisers =
+    std::vector<CppLine> initialisers =
         packets ? packet_initialiser_lines(*uniformity) : initialiser_lines();
 
     const std::string space = packets ? "shadertwin::glsl::packet" : "shadertwin::glsl";
@@ -142,8 +141,11 @@ class CppModule {
     if (!context_.hoisted().empty()) text_.add("");
     text_.add("struct Shader : Invocation {");
     variables();
-    text_.add(packets ? "  void initialise(Bool " + initial_mask_ + ") {" : "  void initialise() {");
-    for (const std::string& line : initialisers) text_.add("    " + line);
+    text_.add(packets ? "  void initialise__(Bool " + initial_mask_ + ") {" : "  void initialise__() {");
+    for (CppLine& line : initialisers) {
+      line.depth += 2;
+      text_.add(line);
+    }
     text_.add("  }");
     bindings();
     text_.add("");
@@ -160,12 +162,7 @@ class CppModule {
  private:
   // A shader may use any name that C++'s headers define as a macro.
   void undefine_macros() {
-    std::set<std::string> names;
-    for (const Token& token : program_.tree().tokens()) {
-      if (looks_like_macro(token.text) && is_identifier(token.text) && token.text.rfind("SHADERTWIN", 0) != 0)
-        names.insert(token.text);
-    }
-    for (const std::string& name : names) text_.add("#undef " + name);
+    for (const std::string& name : context_.used_names()) text_.add("#undef " + name);
   }
 
   void structs() {
@@ -223,11 +220,24 @@ class CppModule {
     return names;
   }
 
+  std::vector<CppLine> single_lines(const Function& function) {
+    FunctionScope scope;
+    CppExpressions expressions(context_, scope);
+    return CppFunction(context_, function, scope, expressions).lines();
+  }
+
+  std::vector<CppLine> packet_lines(const Function& function, const Uniformity& uniformity) {
+    FunctionScope scope;
+    Masks masks(scope);
+    PacketExpressions expressions(context_, scope, masks, uniformity);
+    return PacketFunction(context_, function, scope, expressions, masks, uniformity).lines();
+  }
+
   // Globals and uniforms where there is no invocation to hold them.
   std::vector<std::string> thread_variables() {
     std::map<SymbolId, std::string> values;
-    NameScope names;
-    CppExpressions expressions(context_, names);
+    FunctionScope scope;
+    CppExpressions expressions(context_, scope);
     for (const TIntermBinary* initialiser : program_.initialisers()) {
       if (const TIntermSymbol* symbol = initialiser->getLeft()->getAsSymbolNode())
         values[symbol->getId()] = expressions.self_contained(*initialiser->getRight());
@@ -243,58 +253,55 @@ class CppModule {
     return lines;
   }
 
-  std::vector<std::string> packet_initialiser_lines(const Uniformity& uniformity) {
-    NameScope names;
-    PacketExpressions expressions(context_, names, uniformity);
-    for (const TIntermSymbol* symbol : program_.globals()) names.reserve(context_.global(*symbol));
-    expressions.masks().push_back(names.take("active"));
-    initial_mask_ = expressions.mask();
-    return initialiser_lines(expressions, initial_mask_ + ", ");
+  std::vector<CppLine> packet_initialiser_lines(const Uniformity& uniformity) {
+    FunctionScope scope;
+    Masks masks(scope);
+    PacketExpressions expressions(context_, scope, masks, uniformity);
+    for (const TIntermSymbol* symbol : program_.globals()) scope.names.reserve(context_.global(*symbol));
+    masks.open();
+    initial_mask_ = masks.current();
+    return initialiser_lines(scope, expressions, initial_mask_ + ", ");
   }
 
-  std::vector<std::string> initialiser_lines() {
-    NameScope names;
-    CppExpressions expressions(context_, names);
-    return initialiser_lines(expressions, "");
+  std::vector<CppLine> initialiser_lines() {
+    FunctionScope scope;
+    CppExpressions expressions(context_, scope);
+    return initialiser_lines(scope, expressions, "");
   }
 
-  std::vector<std::string> initialiser_lines(CppExpressions& expressions, const std::string& mask) {
-    std::vector<std::string> lines;
+  std::vector<CppLine> initialiser_lines(FunctionScope& scope, CppExpressions& expressions,
+                                         const std::string& mask) {
     std::set<SymbolId> written;
     for (const TIntermBinary* initialiser : program_.initialisers()) {
-      const TIntermSymbol* symbol = initialiser->getLeft()->getAsSymbolNode();
-      if (symbol != nullptr) written.insert(symbol->getId());
-      const std::string text = expressions.statement(*initialiser);
-      for (const std::string& line : expressions.take_prelude()) lines.push_back(line);
-      if (!text.empty()) lines.push_back(text + ";");
+      if (const TIntermSymbol* symbol = initialiser->getLeft()->getAsSymbolNode())
+        written.insert(symbol->getId());
     }
-    std::vector<std::string> unwritten;
     for (const TIntermSymbol* symbol : program_.globals()) {
       const TStorageQualifier storage = symbol->getQualifier().storage;
       if (written.count(symbol->getId()) == 0 && (storage == EvqGlobal || storage == EvqVaryingOut))
-        unwritten.push_back("unwritten(" + mask + context_.global(*symbol) + ");");
+        scope.out.statement("unwritten(" + mask + context_.global(*symbol) + ")");
     }
-    lines.insert(lines.begin(), unwritten.begin(), unwritten.end());
-    return lines;
+    for (const TIntermBinary* initialiser : program_.initialisers()) expressions.statement(*initialiser);
+    return scope.out.take();
   }
 
   void bindings() {
     text_.add("  template <class Bind>");
-    text_.add("  void bind_uniforms(Bind&& bind) {");
+    text_.add("  void bind_uniforms__(Bind&& bind) {");
     for (const TIntermSymbol* symbol : program_.globals()) {
       if (symbol->getQualifier().storage == EvqUniform && !is_unused_uniform(*symbol))
         text_.add(std::string("    bind(\"") + symbol->getName().c_str() + "\", " + context_.global(*symbol) +
                   ");");
     }
     text_.add("  }");
-    text_.add(std::string("  static constexpr bool uses_derivatives = ") +
+    text_.add(std::string("  static constexpr bool uses_derivatives__ = ") +
               (program_.uses_derivatives() ? "true" : "false") + ";");
-    text_.add(std::string("  static constexpr bool uses_implicit_lod = ") +
+    text_.add(std::string("  static constexpr bool uses_implicit_lod__ = ") +
               (program_.uses_implicit_lod() ? "true" : "false") + ";");
     // Packets discard by their mask.
     const bool stops = (program_.uses_discard() && !context_.options().packets) ||
                        context_.options().loop_guards || context_.options().checks;
-    text_.add(std::string("  static constexpr bool uses_stop = ") + (stops ? "true" : "false") + ";");
+    text_.add(std::string("  static constexpr bool uses_stop__ = ") + (stops ? "true" : "false") + ";");
   }
 
   // The variable that holds the pixel: the output at location 0, or the only one.

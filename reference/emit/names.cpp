@@ -1,5 +1,9 @@
 #include "reference/emit/names.h"
 
+#include <cctype>
+
+#include "reference/emit/operators.h"
+
 namespace shadertwin::emit {
 namespace {
 
@@ -15,37 +19,57 @@ const std::set<std::string>& cpp_words() {
       "sizeof", "static", "static_assert", "static_cast", "struct", "switch", "template", "this",
       "thread_local", "throw", "true", "try", "typedef", "typeid", "typename", "typeof", "union", "unsigned",
       "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq",
+      // with a meaning in places, and to the preprocessor
+      "defined", "final", "import", "module", "override",
       // of GNU's dialect and of clang's
       "_Alignas", "_Alignof", "_Atomic", "_Bool", "_Complex", "_Float16", "_Generic", "_Imaginary",
       "_Noreturn", "_Static_assert", "_Thread_local"};
   return words;
 }
 
-// What the headers that a twin includes define as macros, and the names that the emitter itself writes.
-const std::set<std::string>& library_words() {
+// What the emitter writes. Everything else that the twin's headers declare may be hidden by the shader's names,
+// and macros are undefined.
+const std::set<std::string>& emitted_words() {
   static const std::set<std::string> words = {
-      // macros
-      "BUFSIZ", "CHAR_BIT", "DBL_EPSILON", "DBL_MAX", "DBL_MIN", "DOMAIN", "EDOM", "EOF", "ERANGE",
-      "EXIT_FAILURE", "EXIT_SUCCESS", "FLT_EPSILON", "FLT_MAX", "FLT_MIN", "FP_INFINITE", "FP_NAN",
-      "FP_NORMAL", "FP_SUBNORMAL", "FP_ZERO", "HUGE", "HUGE_VAL", "HUGE_VALF", "INFINITY", "INT_MAX",
-      "INT_MIN", "LONG_MAX", "LONG_MIN", "M_1_PI", "M_2_PI", "M_2_SQRTPI", "M_E", "M_LN10", "M_LN2",
-      "M_LOG10E", "M_LOG2E", "M_PI", "M_PI_2", "M_PI_4", "M_SQRT1_2", "M_SQRT2", "NAN", "NULL", "OVERFLOW",
-      "PLOSS", "RAND_MAX", "SING", "SNAN", "TLOSS", "UINT_MAX", "UNDERFLOW", "assert", "errno", "i386",
-      "linux", "major", "makedev", "math_errhandling", "minor", "offsetof", "setjmp", "sigsetjmp", "stderr",
-      "stdin", "stdout", "unix",
-      // the twin's library
-      "Bool", "Float", "Int", "Lane", "Lods", "Packet", "Uint", "Varying", "packet", "mix_strict",
-      "Invocation", "Lod", "Quad", "Shader", "Bind", "array", "at", "bind", "bind_uniforms", "construct",
-      "divide", "emit", "f32", "f64", "glm", "glsl", "implicit_lod", "initialise", "int32_t", "loop_guard",
-      "make", "modulo", "needs_lod", "not_", "report", "shadertwin", "shift_left", "shift_right", "size_t",
-      "std", "stop_invocation", "swizzle", "uint", "uint32_t", "unwritten"};
+      "Anonymous", "Bind", "Bool", "Float", "Int", "Invocation", "PixelLoop", "Shader", "Uint", "array",
+      "as_pixel", "at", "bind", "checked_divide", "divide", "glsl", "make", "mix_strict", "modulo", "output",
+      "packet", "shadertwin", "shift_left", "shift_right", "std", "swizzle", "uint", "unwritten"};
   return words;
+}
+
+const std::set<std::string>& builtin_functions() {
+  static const std::set<std::string> names = [] {
+    std::set<std::string> found;
+    for (int op = 0; op < static_cast<int>(glslang::EOpTextureGuardEnd); ++op) {
+      if (const char* name = builtin_name(static_cast<glslang::TOperator>(op))) found.insert(name);
+    }
+    return found;
+  }();
+  return names;
+}
+
+// What C++ keeps for compilers, and the macros that the twin's code is exported by.
+bool is_reserved(const std::string& name) {
+  const bool by_underscore =
+      name.size() > 1 && name[0] == '_' && (name[1] == '_' || std::isupper(static_cast<unsigned char>(name[1])) != 0);
+  return by_underscore || name.starts_with("SHADERTWIN");
+}
+
+std::string cpp_name(const std::string& name, bool is_global) {
+  const std::string stem = name.substr(0, name.find_last_not_of('_') + 1);
+  const bool is_taken = cpp_words().count(stem) != 0 || emitted_words().count(stem) != 0 || is_reserved(stem) ||
+                        (is_global && builtin_functions().count(stem) != 0);
+  return is_taken || name.size() - stem.size() >= 2 ? name + '_' : name;
 }
 
 }  // namespace
 
-bool is_taken_in_cpp(const std::string& name) {
-  return cpp_words().count(name) != 0 || library_words().count(name) != 0;
+std::string cpp_name(const std::string& glsl_name) {
+  return cpp_name(glsl_name, false);
+}
+
+std::string global_cpp_name(const std::string& glsl_name) {
+  return cpp_name(glsl_name, true);
 }
 
 std::string NameScope::take(const std::string& wanted) {

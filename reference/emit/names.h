@@ -6,8 +6,12 @@
 
 namespace shadertwin::emit {
 
-// Whether C++, a macro of its standard library, or the library that twins include uses this name.
-bool is_taken_in_cpp(const std::string& name);
+// What a name of the shader's is in C++: itself, or with one more underscore where C++ or the emitter has taken
+// it. Two names never become one: what is one of those but for underscores at its end gets one more, too. Names
+// that end in two underscores are the twin's own.
+std::string cpp_name(const std::string& glsl_name);
+// The same for structures, functions and global variables, which would hide a built-in function.
+std::string global_cpp_name(const std::string& glsl_name);
 
 // Hands out names, each only once until it is given back.
 class NameScope {

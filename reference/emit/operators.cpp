@@ -122,6 +122,15 @@ bool is_increment(TOperator op) {
   return op == EOpPostIncrement || op == EOpPostDecrement || op == EOpPreIncrement || op == EOpPreDecrement;
 }
 
+Step step_of(TOperator op) {
+  return {op == EOpPreIncrement || op == EOpPostIncrement ? '+' : '-',
+          op == EOpPreIncrement || op == EOpPreDecrement};
+}
+
+bool reads_texture(TOperator op) {
+  return op > EOpTextureGuardBegin && op < EOpTextureGuardEnd;
+}
+
 bool has_implicit_lod(TOperator op) {
   return op == EOpTexture || op == EOpTextureProj || op == EOpTextureOffset || op == EOpTextureProjOffset;
 }

@@ -42,6 +42,14 @@ BinaryOperator assignment_operator(glslang::TOperator op);
 bool is_constructor(glslang::TOperator op);
 bool is_conversion(glslang::TOperator op);
 bool is_increment(glslang::TOperator op);
+// Of ++ and --.
+struct Step {
+  char sign = '+';
+  bool is_prefix = false;  // its value is that behind the step
+};
+Step step_of(glslang::TOperator op);
+// Every function that takes a sampler.
+bool reads_texture(glslang::TOperator op);
 // Texture lookups that choose their level of detail from the neighbouring pixels.
 bool has_implicit_lod(glslang::TOperator op);
 bool is_derivative(glslang::TOperator op);

@@ -2,69 +2,51 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "reference/emit/cpp_expression.h"
+#include "reference/emit/masks.h"
 #include "reference/emit/uniformity.h"
 
 namespace shadertwin::emit {
 
 class PacketExpressions : public CppExpressions {
  public:
-  PacketExpressions(CppContext& context, NameScope& names, const Uniformity& uniformity)
-      : CppExpressions(context, names), context_(context), names_(names), uniformity_(uniformity) {}
-
-  // The names of the masks from the function's own to that of the pixels that run here. A statement narrows
-  // the mask with an inner one; pixels that jump leave the masks up to where they go.
-  std::vector<std::string>& masks() { return masks_; }
-  const std::string& mask() const { return masks_.back(); }
-
- protected:
-  std::string type_of(const glslang::TIntermTyped& node) const override;
-  bool varies(const glslang::TIntermTyped& node) const override { return uniformity_.varies(node); }
-  Text widened(const glslang::TIntermTyped& node, Text text) const override;
-  Text packed(const glslang::TIntermTyped& node, Text text) const override;
-  Text logical(const glslang::TIntermBinary& node) override;
-  Text assignment(const glslang::TIntermBinary& node, bool wants_value) override;
-  Text increment(const glslang::TIntermUnary& node, bool wants_value) override;
-  Text selection(const glslang::TIntermSelection& node) override;
-  Text constructor(const glslang::TIntermAggregate& node) override;
-  Text builtin_call(const glslang::TIntermAggregate& node) override;
-  Text call(const glslang::TIntermAggregate& node, bool wants_value) override;
+  PacketExpressions(CppContext& context, FunctionScope& scope, Masks& masks, const Uniformity& uniformity)
+      : CppExpressions(context, scope), masks_(masks), uniformity_(uniformity) {}
 
  private:
-  // An element at an index that varies: read into a variable, changed there, and put back.
-  struct Element {
-    std::string type;
-    std::string container;
-    std::string index;
-    std::string name;
-  };
-  // An l-value.
-  struct Target {
-    Place place;
-    std::vector<Element> elements;  // each inside the one before
-  };
+  std::string type_of(const glslang::TIntermTyped& node) const override;
+  bool varies(const glslang::TIntermTyped& node) const override { return uniformity_.varies(node); }
+  Expression widened(const glslang::TIntermTyped& node, Expression text) const override;
+  Expression packed(const glslang::TIntermTyped& node, Expression text) const override;
+  Expression logical(const glslang::TIntermBinary& node) override;
+  Expression assignment(const glslang::TIntermBinary& node, bool wants_value) override;
+  Expression increment(const glslang::TIntermUnary& node, bool wants_value) override;
+  Expression selection(const glslang::TIntermSelection& node) override;
+  Expression constructor(const glslang::TIntermAggregate& node) override;
+  Expression builtin_call(const glslang::TIntermAggregate& node) override;
+  void load(const Place& place) override;
+  void copy_out(const Place& place, const std::string& value) override;
+  std::string mask_argument() const override { return masks_.current(); }
+  Expression in_argument(const Parameter& parameter, const glslang::TIntermTyped& node,
+                         Expression text) const override;
+  bool may_discard(const Function& callee) const override { return uniformity_.discards(callee); }
+  void leave_discarded() override;
 
-  // `bind`: find it now, since what follows may change its indices.
-  Target target(const glslang::TIntermTyped& left, bool bind = false);
-  std::string chain(const glslang::TIntermTyped& node, bool bind, std::vector<Element>& elements);
-  void read_elements(const Target& target);
-  void read_elements_again(const Target& target);
-  // The statements that give the target its value, and put its elements back.
-  void write(const Target& target, const std::string& value, bool masked);
-  void say(const std::string& statement) { prelude_.push_back(statement); }
-  // Runs `body` under the mask `condition`, a branch that is skipped if it is empty.
+  // `to = value`, for the pixels of the mask alone if the others see it.
+  Expression assigned(const std::string& to, const std::string& value, bool masked) const;
+  // Gives a place its value, which is loaded, and puts its elements back.
+  void store(const Place& place, const std::string& value, bool masked);
+  // The same as the last statement of an expression, which is that statement or the value.
+  Expression stored(const Place& place, const std::string& value, bool masked, bool wants_value);
+  // Runs `body` for the pixels for which `condition` holds; all of them agree if it does not diverge.
   template <class Body>
-  void where(const std::string& condition, const Body& body);
-  // A branch of a selection: `text` as the value of `node`.
-  std::string branch_value(const glslang::TIntermTyped& selection, const glslang::TIntermTyped& branch);
-  bool has_effects(const glslang::TIntermTyped& node) const;
+  void branch(bool diverges, const std::string& condition, const Body& body);
+  // A side of a selection, as the value of the whole.
+  std::string side_value(const glslang::TIntermTyped& selection, const glslang::TIntermTyped& side);
 
-  CppContext& context_;
-  NameScope& names_;
+  Masks& masks_;
   const Uniformity& uniformity_;
-  std::vector<std::string> masks_;
 };
 
 }  // namespace shadertwin::emit

@@ -6,15 +6,10 @@ namespace shadertwin::emit {
 
 using namespace glslang;
 
-PacketFunction::PacketFunction(CppContext& context, const Function& function, const Uniformity& uniformity)
-    : CppFunction(
-          context, function,
-          [&](NameScope& names) { return std::make_unique<PacketExpressions>(context, names, uniformity); }),
-      uniformity_(uniformity),
-      packets_(static_cast<PacketExpressions*>(expressions_.get())) {
-  mask_ = names_.take("active");
-  masks().push_back(mask_);
-  frames_.push_back({Frame::Kind::function, "", 0, false});
+PacketFunction::PacketFunction(CppContext& context, const Function& function, FunctionScope& scope,
+                               CppExpressions& expressions, Masks& masks, const Uniformity& uniformity)
+    : CppFunction(context, function, scope, expressions), masks_(masks), uniformity_(uniformity) {
+  masks_.open();
 }
 
 std::string PacketFunction::result_type() const {
@@ -22,248 +17,164 @@ std::string PacketFunction::result_type() const {
 }
 
 void PacketFunction::begin() {
-  if (!uniformity_.parts_at_return(function_) || function_.definition->getBasicType() == EbtVoid) return;
+  if (!uniformity_.diverges_at_return(function_) || function_.definition->getBasicType() == EbtVoid) return;
   result_ = names_.take("result");
-  line(result_type() + " " + result_ + "{};");
+  out_.statement(result_type() + " " + result_ + "{}");
+}
+
+std::string PacketFunction::return_result(const std::string& otherwise) const {
+  return "return" + (result_.empty() ? otherwise : " " + result_);
 }
 
 void PacketFunction::end() {
   if (result_.empty())
     CppFunction::end();
   else if (!ends_with_jump())
-    line("return " + result_ + ";");
+    out_.statement(return_result(""));
 }
 
 void PacketFunction::reset_out_parameter(const std::string& name) {
-  line("unwritten(" + mask_ + ", " + name + ");");
+  out_.statement("unwritten(" + masks_.of_function() + ", " + name + ")");
 }
 
-template <class Body>
-void PacketFunction::within(const std::string& mask, const Frame& frame, const Body& body) {
-  frames_.push_back(frame);
-  if (!mask.empty()) masks().push_back(mask);
-  body();
-  if (!mask.empty()) masks().pop_back();
-  frames_.pop_back();
+// The one place where a statement is uniform or divergent.
+void PacketFunction::control(const TIntermNode& node, const Block* wrapper) {
+  if (!uniformity_.diverges(node))
+    CppFunction::control(node, wrapper);
+  else if (const TIntermLoop* loop = node.getAsLoopNode())
+    divergent_loop(*loop, wrapper);
+  else if (const TIntermSelection* selection = node.getAsSelectionNode())
+    divergent_selection(*selection);
+  else
+    divergent_switch(*node.getAsSwitchNode());
 }
 
-void PacketFunction::leave(std::size_t first, const std::string& also) {
-  std::string text;
-  for (std::size_t i = masks().size(); i-- > first;) text += (text.empty() ? "" : ", ") + masks()[i];
-  if (!also.empty()) text += ", " + also;
-  line("leave__(" + text + ");");
+void PacketFunction::jump(const TIntermBranch& node) {
+  switch (node.getFlowOp()) {
+    case EOpKill:
+      out_.statement("alive__ = alive__ && !" + masks_.current());
+      return masks_.leave_by_return();
+    case EOpBreak:
+      return masks_.leave_by_break();
+    case EOpContinue:
+      return masks_.leave_by_continue();
+    default:
+      return return_value(node);
+  }
 }
 
 void PacketFunction::return_value(const TIntermBranch& node) {
-  const bool is_root = masks().size() == 1;
   if (node.getExpression() != nullptr) {
-    const std::string text = packets_->value(*node.getExpression(), uniformity_.varies(function_));
-    prelude();
-    if (result_.empty()) return line("return " + text + ";");
-    line("set__(" + packets_->mask() + ", " + result_ + ", " + text + ");");
+    const Expression value = expressions_.value(*node.getExpression(), uniformity_.varies(function_));
+    if (result_.empty()) return out_.statement("return " + value.text);
+    out_.statement("set__(" + masks_.current() + ", " + result_ + ", " + value.text + ")");
   }
-  if (is_root || !uniformity_.parts_at_return(function_))
-    return line(result_.empty() ? "return;" : "return " + result_ + ";");
-  leave(0);
+  if (masks_.is_narrowed() && uniformity_.diverges_at_return(function_)) return masks_.leave_by_return();
+  out_.statement(return_result(""));
 }
 
-void PacketFunction::branch(const TIntermBranch& node) {
-  const TOperator op = node.getFlowOp();
-  if (op == EOpReturn) return return_value(node);
-  if (op == EOpKill) {
-    line("alive__ = alive__ && !" + packets_->mask() + ";");
-    return leave(0);
-  }
-  if (op != EOpBreak && op != EOpContinue) return CppFunction::branch(node);
-  for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame) {
-    const bool is_target =
-        frame->kind == Frame::Kind::loop || (op == EOpBreak && frame->kind == Frame::Kind::choice);
-    if (!is_target) continue;
-    if (op == EOpBreak && frame->kind == Frame::Kind::loop) {
-      if (frame->leaving.empty()) return line("break;");
-      return leave(frame->masks, frame->leaving);
-    }
-    // All that run leave the body: its own mask, if it has one, says so, or C++ does.
-    if (masks().size() == frame->masks) return line("continue;");
-    return leave(frame->masks);
-  }
-}
-
-void PacketFunction::selection(const TIntermSelection& node) {
-  if (!uniformity_.parts(node)) return CppFunction::selection(node);
-  std::string condition = packets_->value(*node.getCondition());
-  prelude();
+void PacketFunction::divergent_selection(const TIntermSelection& node) {
+  Expression condition = expressions_.value(*node.getCondition());
   if (node.getFalseBlock() != nullptr) {
-    const std::string name = names_.take("condition");
-    block_names_.push_back(name);
-    line("const Bool " + name + " = " + condition + ";");
-    condition = name;
+    const std::string name = take_block_name("condition");
+    out_.declare("const Bool", name, condition.text);
+    condition = {name};
   }
-  const auto side = [&](const TIntermNode* statements, const std::string& holds) {
-    if (statements == nullptr) return;
-    const std::string inner = names_.take("active");
-    line("if (Bool " + inner + " = " + packets_->mask() + " && " + holds + "; some__(" + inner + ")) {");
-    within(inner, {Frame::Kind::branch, "", masks().size(), false}, [&] { scoped(statements); });
-    line("}");
-    names_.give_back(inner);
-  };
-  const bool is_plain = condition.find(' ') == std::string::npos;
-  side(node.getTrueBlock(), is_plain ? condition : "(" + condition + ")");
-  side(node.getFalseBlock(), "!" + condition);
+  if (node.getTrueBlock() != nullptr) masks_.where(condition, [&] { statements(node.getTrueBlock()); });
+  if (node.getFalseBlock() != nullptr)
+    masks_.where({"!" + condition.text}, [&] { statements(node.getFalseBlock()); });
 }
 
 // Each group of statements runs under the mask of the pixels whose value has led to it or that have fallen
 // through.
-void PacketFunction::switch_statement(const TIntermSwitch& node) {
+void PacketFunction::divergent_switch(const TIntermSwitch& node) {
   const TIntermTyped& selector = *node.getCondition()->getAsTyped();
-  const std::string value = packets_->value(selector);
-  prelude();
-  line("{");
-  ++depth_;
+  const Expression value = expressions_.value(selector);
+  out_.begin();
   const std::string chosen = names_.take("selector");
   const std::string inner = names_.take("active");
-  line("const " + context_.type(selector.getType(), uniformity_.varies(selector)) + " " + chosen + " = " +
-       value + ";");
-  line("Bool " + inner + " = false;");
+  out_.declare("const " + context_.type(selector.getType(), uniformity_.varies(selector)), chosen,
+               value.text);
+  out_.statement("Bool " + inner + " = false");
 
-  std::string all_labels;
-  const auto equals = [&](const TIntermBranch& label) {
-    return chosen + " == " + packets_->value(*label.getExpression());
-  };
-  for (const TIntermNode* part : node.getBody()->getSequence()) {
+  const auto label_of = [](const TIntermNode* part, TOperator op) {
     const TIntermBranch* label = part != nullptr ? part->getAsBranchNode() : nullptr;
-    if (label != nullptr && label->getFlowOp() == EOpCase)
-      all_labels += (all_labels.empty() ? "" : " || ") + equals(*label);
+    return label != nullptr && label->getFlowOp() == op ? label : nullptr;
+  };
+  const auto add = [](std::string& labels, const std::string& label) {
+    labels += (labels.empty() ? "" : " || ") + label;
+  };
+  const auto equals = [&](const TIntermBranch& label) {
+    return chosen + " == " + expressions_.value(*label.getExpression()).text;
+  };
+  std::string all_labels;
+  for (const TIntermNode* part : node.getBody()->getSequence()) {
+    if (const TIntermBranch* label = label_of(part, EOpCase)) add(all_labels, equals(*label));
   }
   std::string labels;
   for (const TIntermNode* part : node.getBody()->getSequence()) {
     if (part == nullptr) continue;
-    const TIntermBranch* label = part->getAsBranchNode();
-    if (label != nullptr && label->getFlowOp() == EOpCase) {
-      labels += (labels.empty() ? "" : " || ") + equals(*label);
-      continue;
+    if (const TIntermBranch* label = label_of(part, EOpCase)) {
+      add(labels, equals(*label));
+    } else if (label_of(part, EOpDefault) != nullptr) {
+      add(labels, all_labels.empty() ? "true" : "!(" + all_labels + ")");
+    } else {
+      if (!labels.empty())
+        out_.statement(inner + " = " + inner + " || (" + masks_.current() + " && (" + labels + "))");
+      labels.clear();
+      masks_.group(inner, [&] { statements(part); });
     }
-    if (label != nullptr && label->getFlowOp() == EOpDefault) {
-      const std::string others = all_labels.empty() ? "true" : "!(" + all_labels + ")";
-      labels += (labels.empty() ? "" : " || ") + others;
-      continue;
-    }
-    if (!labels.empty()) line(inner + " = " + inner + " || (" + packets_->mask() + " && (" + labels + "));");
-    labels.clear();
-    line("if (some__(" + inner + ")) {");
-    within(inner, {Frame::Kind::choice, "", masks().size(), false}, [&] { scoped(part); });
-    line("}");
   }
   names_.give_back(inner);
   names_.give_back(chosen);
-  --depth_;
-  line("}");
+  out_.end();
 }
 
-void PacketFunction::for_loop(const Block& wrapper) {
-  const TIntermLoop& node = *wrapper.getSequence().back()->getAsLoopNode();
-  if (uniformity_.parts(node))
-    parting_loop(node, &wrapper);
-  else
-    CppFunction::for_loop(wrapper);
+// Where pixels skip what is left of a body one by one, it runs under a mask of its own.
+void PacketFunction::loop_body(const TIntermLoop& node) {
+  masks_.loop_body("", uniformity_.diverges_in_body(node), true, [&] { statements(node.getBody()); });
 }
 
-void PacketFunction::body(const TIntermLoop& node, const std::string& loop_mask, bool own_mask,
-                          bool can_continue) {
-  if (context_.options().loop_guards) line("  loop_guard();");
-  std::string inner;
-  const std::size_t outside = masks().size();
-  if (own_mask) {
-    inner = names_.take("active");
-    ++depth_;
-    line("Bool " + inner + " = " + packets_->mask() + ";");
-    --depth_;
-  }
-  within(inner, {Frame::Kind::loop, loop_mask, outside, can_continue}, [&] { scoped(node.getBody()); });
-  if (own_mask) names_.give_back(inner);
-}
-
-void PacketFunction::loop(const TIntermLoop& node, const std::string& initialiser) {
-  if (uniformity_.parts(node)) return parting_loop(node, nullptr);
-  const std::string test = node.getTest() != nullptr ? packets_->self_contained(*node.getTest()) : "";
-  const bool own_mask = uniformity_.parts_in_body(node);
-  const SourceLine start = source_;
-  if (!node.testFirst()) {
-    line("do {");
-    body(node, "", own_mask, true);
-    source_ = start;
-    return line("} while (" + test + ");");
-  }
-  if (context_.program().tree().token_text(node) == "for") {
-    const std::string terminal =
-        node.getTerminal() != nullptr ? packets_->self_contained_statement(*node.getTerminal()) : "";
-    line("for (" + initialiser + ";" + (test.empty() ? "" : " " + test) + ";" +
-         (terminal.empty() ? "" : " " + terminal) + ") {");
-  } else {
-    line("while (" + test + ") {");
-  }
-  body(node, "", own_mask, true);
-  line("}");
-}
-
-void PacketFunction::parting_loop(const TIntermLoop& node, const Block* wrapper) {
-  const std::vector<std::string> outer = std::exchange(block_names_, {});
-  const SourceLine start = source_;
-  line("{");
-  ++depth_;
-  const std::string turning = names_.take("loop");
-  line("Bool " + turning + " = " + packets_->mask() + ";");
-  masks().push_back(turning);
-  if (wrapper != nullptr) declare_loop_variables(*wrapper);
-  source_ = start;
-
-  // Statements that say the test, and the pixels that it sends on.
-  const auto test = [&] {
-    if (node.getTest() == nullptr) return;
-    ++depth_;
-    const std::string text = packets_->value(*node.getTest());
-    prelude();
-    line(turning + " = " + turning + " && (" + text + ");");
-    --depth_;
-  };
-  if (!node.testFirst()) {
-    line("do {");
-    body(node, turning, true, false);
-    source_ = start;
-    test();
-    line("} while (some__(" + turning + "));");
-  } else {
-    const std::string terminal =
-        node.getTerminal() != nullptr ? packets_->self_contained_statement(*node.getTerminal()) : "";
-    line("for (;;" + (terminal.empty() ? "" : " " + terminal) + ") {");
-    test();
-    line("  if (none__(" + turning + ")) break;");
-    body(node, turning, true, true);
-    line("}");
-  }
-  masks().pop_back();
-  --depth_;
-  line("}");
-  names_.give_back(turning);
-  for (const std::string& name : block_names_) names_.give_back(name);
-  block_names_ = outer;
+void PacketFunction::divergent_loop(const TIntermLoop& node, const Block* wrapper) {
+  const SourceLine start = out_.source();
+  with_own_names([&] {
+    masks_.loop([&](const std::string& mask) {
+      if (wrapper != nullptr) declare_loop_variables(*wrapper);
+      out_.at(start);
+      const auto test = [&] {
+        if (node.getTest() == nullptr) return;
+        const Expression condition = expressions_.value(*node.getTest());
+        out_.statement(mask + " = " + mask + " && (" + condition.text + ")");
+      };
+      const auto body = [&](bool can_continue) {
+        begin_round();
+        masks_.loop_body(mask, true, can_continue, [&] { statements(node.getBody()); });
+      };
+      if (!node.testFirst()) {
+        out_.begin("do");
+        body(false);
+        out_.at(start);
+        test();
+        return out_.end("} while (any__(" + mask + "));");
+      }
+      const std::string terminal =
+          node.getTerminal() != nullptr ? expressions_.self_contained_statement(*node.getTerminal()) : "";
+      out_.begin("for (;;" + (terminal.empty() ? "" : " " + terminal) + ")");
+      test();
+      out_.statement("if (none__(" + mask + ")) break");
+      body(true);
+      out_.end();
+    });
+  });
 }
 
 // Nothing is left to do where all pixels have jumped.
 void PacketFunction::after(const TIntermNode& statement) {
-  const TIntermBranch* jump = statement.getAsBranchNode();
-  if (jump != nullptr || !uniformity_.may_jump(statement)) return;
-  const Frame& frame = frames_.back();
-  if (frame.kind == Frame::Kind::function) {
-    if (!uniformity_.parts_at_return(function_) && !uniformity_.discards(function_)) return;
-    const TIntermTyped& definition = *function_.definition;
-    const std::string value = definition.getBasicType() == EbtVoid ? ""
-                              : result_.empty()                    ? " {}"
-                                                                   : " " + result_;
-    line("if (none__(" + mask_ + ")) return" + value + ";");
-  } else if (frame.kind == Frame::Kind::loop && frame.can_continue && masks().size() > frame.masks) {
-    line("if (none__(" + packets_->mask() + ")) continue;");
-  }
+  if (statement.getAsBranchNode() != nullptr || !uniformity_.may_jump(statement)) return;
+  if (!masks_.is_in_function()) return masks_.continue_if_empty();
+  if (!uniformity_.diverges_at_return(function_) && !uniformity_.discards(function_)) return;
+  const bool is_void = function_.definition->getBasicType() == EbtVoid;
+  out_.statement("if (none__(" + masks_.of_function() + ")) " + return_result(is_void ? "" : " {}"));
 }
 
 }  // namespace shadertwin::emit

@@ -76,7 +76,7 @@ class FunctionSummary : public TIntermTraverser {
 
   bool visitAggregate(TVisit, TIntermAggregate* node) override {
     if (node->getOp() == EOpFunctionCall) {
-      function_.calls.insert(node->getName().c_str());
+      function_.calls.insert(plain_name(node->getName().c_str()));
       first_call.emplace(node->getName().c_str(), node);
       return true;
     }

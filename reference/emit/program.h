@@ -37,8 +37,8 @@ struct Function {
   const glslang::TIntermAggregate* body = nullptr;  // null for a body without statements
   std::vector<Parameter> parameters;
   Effects globals;                 // with those of the functions that it calls
-  std::set<std::string> calls;     // mangled names
-  std::set<std::string> builtins;  // names of the built-in functions that it calls itself
+  std::set<std::string> calls;     // the names of the functions that it calls itself
+  std::set<std::string> builtins;  // and of the built-in ones
   bool discards = false;           // itself
 };
 

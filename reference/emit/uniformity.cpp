@@ -12,10 +12,6 @@ using namespace glslang;
 
 namespace {
 
-bool is_texture_read(TOperator op) {
-  return op > EOpTextureGuardBegin && op < EOpTextureGuardEnd;
-}
-
 class JumpFinder : public TIntermTraverser {
  public:
   JumpFinder(const Program& program, const Uniformity& uniformity)
@@ -47,7 +43,7 @@ class CostCounter : public TIntermTraverser {
   bool visitSelection(TVisit, TIntermSelection*) override { return add(1); }
   bool visitUnary(TVisit, TIntermUnary* node) override { return add(node->getOp() >= EOpRadians ? 6 : 1); }
   bool visitAggregate(TVisit, TIntermAggregate* node) override {
-    if (node->getOp() == EOpFunctionCall || is_texture_read(node->getOp())) return add(1000);
+    if (node->getOp() == EOpFunctionCall || reads_texture(node->getOp())) return add(1000);
     if (is_constructor(node->getOp())) return true;
     return add(6);
   }
@@ -108,7 +104,7 @@ class UniformityPass {
   void make_varying(const TIntermSymbol& symbol) {
     insert(known_.varying_symbols_, SymbolId(symbol.getId()));
   }
-  void part(const TIntermNode& node) { insert(known_.parting_, &node); }
+  void make_divergent(const TIntermNode& node) { insert(known_.divergent_, &node); }
 
   int new_region() {
     parents_.push_back(region_);
@@ -153,15 +149,15 @@ class UniformityPass {
   // `if` and `?:`.
   void selection(const TIntermSelection& node) {
     expression(*node.getCondition());
-    const bool parts = known_.varies(*node.getCondition());
-    if (parts) part(node);
+    const bool diverges = known_.varies(*node.getCondition());
+    if (diverges) make_divergent(node);
     for (const TIntermNode* side : {node.getTrueBlock(), node.getFalseBlock()})
-      within(parts ? new_region() : region_, [&] { statement(side); });
+      within(diverges ? new_region() : region_, [&] { statement(side); });
   }
 
   void switch_statement(const TIntermSwitch& node) {
     expression(*node.getCondition()->getAsTyped());
-    part(node);
+    make_divergent(node);
     loops_.push_back({nullptr, region_});
     for (const TIntermNode* group : node.getBody()->getSequence()) {
       if (group == nullptr) continue;
@@ -174,7 +170,7 @@ class UniformityPass {
 
   void loop(const TIntermLoop& node, const Block* wrapper) {
     const int outside = region_;
-    const int header = known_.parts(node) ? new_region() : outside;
+    const int header = known_.diverges(node) ? new_region() : outside;
     if (wrapper != nullptr) {
       // What the loop's own variables start with is set before any pixel has left.
       const TIntermSequence& parts = wrapper->getSequence();
@@ -189,29 +185,29 @@ class UniformityPass {
       if (node.getTest() != nullptr) expression(*node.getTest());
       if (node.getTerminal() != nullptr) expression(*node.getTerminal());
       loops_.push_back({&node, outside});
-      const bool own_body = header != outside || known_.parts_in_body(node);
+      const bool own_body = header != outside || known_.diverges_in_body(node);
       within(own_body ? new_region() : region_, [&] { statement(node.getBody()); });
       loops_.pop_back();
     });
-    if (node.getTest() != nullptr && known_.varies(*node.getTest())) part(node);
+    if (node.getTest() != nullptr && known_.varies(*node.getTest())) make_divergent(node);
   }
 
   void branch(const TIntermBranch& node) {
     switch (node.getFlowOp()) {
       case EOpBreak:
         if (!loops_.empty() && loops_.back().loop != nullptr && region_ != loops_.back().outside)
-          part(*loops_.back().loop);
+          make_divergent(*loops_.back().loop);
         return;
       case EOpContinue:
         for (auto frame = loops_.rbegin(); frame != loops_.rend(); ++frame) {
           if (frame->loop == nullptr) continue;
-          if (region_ != frame->outside) insert(known_.parting_bodies_, frame->loop);
+          if (region_ != frame->outside) insert(known_.divergent_bodies_, frame->loop);
           break;
         }
         return;
       case EOpKill:
         insert(known_.discarding_, function_);
-        part_all_loops();
+        make_loops_divergent();
         return;
       case EOpReturn:
         break;
@@ -219,20 +215,20 @@ class UniformityPass {
         return;
     }
     if (region_ != 0) {
-      insert(known_.parting_returns_, function_);
-      part_all_loops();
+      insert(known_.divergent_returns_, function_);
+      make_loops_divergent();
     }
     if (node.getExpression() == nullptr) return;
     expression(*node.getExpression());
     const TType& type = node.getExpression()->getType();
-    if (region_ != 0 || known_.parts_at_return(*function_) || known_.varies(*node.getExpression()) ||
+    if (region_ != 0 || known_.diverges_at_return(*function_) || known_.varies(*node.getExpression()) ||
         type.isStruct() || type.isArray())
       insert(known_.varying_results_, function_);
   }
 
-  void part_all_loops() {
+  void make_loops_divergent() {
     for (const LoopFrame& frame : loops_) {
-      if (frame.loop != nullptr) part(*frame.loop);
+      if (frame.loop != nullptr) make_divergent(*frame.loop);
     }
   }
 
@@ -261,9 +257,9 @@ class UniformityPass {
       expression(*binary->getLeft());
       const TOperator op = binary->getOp();
       const bool short_circuit = op == EOpLogicalAnd || op == EOpLogicalOr;
-      const bool parts = short_circuit && known_.varies(*binary->getLeft());
-      if (parts) part(node);
-      within(parts ? new_region() : region_, [&] { expression(*binary->getRight()); });
+      const bool diverges = short_circuit && known_.varies(*binary->getLeft());
+      if (diverges) make_divergent(node);
+      within(diverges ? new_region() : region_, [&] { expression(*binary->getRight()); });
       if (const BinaryOperator assigned = assignment_operator(op); assigned.sign != nullptr)
         assign(node, *binary->getLeft(),
                known_.varies(*binary->getRight()) || binary->getLeft()->getType().isStruct());
@@ -285,7 +281,7 @@ class UniformityPass {
     const Function& callee = program_.function(node);
     if (known_.discards(callee)) {
       insert(known_.discarding_, function_);
-      part_all_loops();
+      make_loops_divergent();
     }
     for (std::size_t i = 0; i < node.getSequence().size(); ++i) {
       const TIntermTyped& argument = *node.getSequence()[i]->getAsTyped();

@@ -9,9 +9,9 @@
 
 namespace shadertwin::emit {
 
-// A packet runs one statement for all of its pixels. Those that have parted at a condition are masked out: a
-// region is a part of a function that the same pixels run. Everything starts out as uniform; what contradicts
-// that is varying, until nothing more follows.
+// A packet runs one statement for all of its pixels. Where control diverges, those that took the other way
+// are masked out: a region is a part of a function that the same pixels run. Everything starts out as
+// uniform; what contradicts that is varying or divergent, until nothing more follows.
 class Uniformity {
  public:
   explicit Uniformity(const Program& program);
@@ -23,12 +23,12 @@ class Uniformity {
   // The same for what a function returns.
   bool varies(const Function& function) const { return varying_results_.count(&function) != 0; }
 
-  // Whether pixels part at this `if`, loop, `switch`, `?:`, `&&` or `||`.
-  bool parts(const TIntermNode& node) const { return parting_.count(&node) != 0; }
+  // Whether pixels may take different ways at this `if`, loop, `switch`, `?:`, `&&` or `||`.
+  bool diverges(const TIntermNode& node) const { return divergent_.count(&node) != 0; }
   // Whether some pixels skip what is left of this loop's body while others do not.
-  bool parts_in_body(const TIntermNode& loop) const { return parting_bodies_.count(&loop) != 0; }
+  bool diverges_in_body(const TIntermNode& loop) const { return divergent_bodies_.count(&loop) != 0; }
   // Whether some pixels return from the function before others.
-  bool parts_at_return(const Function& function) const { return parting_returns_.count(&function) != 0; }
+  bool diverges_at_return(const Function& function) const { return divergent_returns_.count(&function) != 0; }
   // Whether some of the pixels that can see the assigned variable take no part in this assignment.
   bool is_masked(const TIntermNode& assignment) const { return masked_.count(&assignment) != 0; }
   // Whether pixels may end, or leave a loop or the function, in this statement.
@@ -42,10 +42,10 @@ class Uniformity {
   const Program& program_;
   std::set<SymbolId> varying_symbols_;
   std::set<const Function*> varying_results_;
-  std::set<const Function*> parting_returns_;
+  std::set<const Function*> divergent_returns_;
   std::set<const Function*> discarding_;
-  std::set<const TIntermNode*> parting_;
-  std::set<const TIntermNode*> parting_bodies_;
+  std::set<const TIntermNode*> divergent_;
+  std::set<const TIntermNode*> divergent_bodies_;
   std::set<const TIntermNode*> masked_;
 };
 

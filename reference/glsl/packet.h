@@ -151,7 +151,7 @@ SHADERTWIN_INLINE unsigned bits_of__(Bool mask) {
   return bits;
 #endif
 }
-SHADERTWIN_INLINE bool some__(Bool mask) {
+SHADERTWIN_INLINE bool any__(Bool mask) {
   return bits_of__(mask) != 0;
 }
 SHADERTWIN_INLINE bool none__(Bool mask) {
@@ -159,7 +159,7 @@ SHADERTWIN_INLINE bool none__(Bool mask) {
 }
 // The lanes of the first mask leave it and all the others.
 template <class... Masks>
-SHADERTWIN_INLINE void leave__(Bool& mask, Masks&... others) {
+SHADERTWIN_INLINE void mask_out__(Bool& mask, Masks&... others) {
   ((others = others && !mask), ...);
   mask = Bool(false);
 }

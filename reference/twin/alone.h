@@ -9,7 +9,7 @@ namespace shadertwin::glsl {
 // What `discard` throws.
 struct Discarded {};
 
-[[noreturn]] inline void stop_invocation() {
+[[noreturn]] inline void stop_invocation__() {
   throw Discarded{};
 }
 

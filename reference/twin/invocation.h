@@ -19,87 +19,87 @@ struct Invocation : twin::Checks {
   Float gl_FragDepth{};
 
   // Ends this pixel: discard, or a loop that has to stop.
-  [[noreturn]] void stop_invocation() { std::longjmp(end_, 1); }
+  [[noreturn]] void stop_invocation__() { std::longjmp(end__, 1); }
 
-  void loop_guard() {
-    if ((++rounds_ & 0xfffu) == 0 && stop_->load(std::memory_order_relaxed)) stop_invocation();
+  void loop_guard__() {
+    if ((++rounds__ & 0xfffu) == 0 && stop__->load(std::memory_order_relaxed)) stop_invocation__();
   }
 
   // `place` tells the quad's pixels whether they have come to the same point of the shader.
   template <class T>
   T dFdx(T value, int place = __builtin_LINE()) {
-    return glsl::dFdx(exchange(value, place), lane_);
+    return glsl::dFdx(exchange__(value, place), own_lane__);
   }
   template <class T>
   T dFdy(T value, int place = __builtin_LINE()) {
-    return glsl::dFdy(exchange(value, place), lane_);
+    return glsl::dFdy(exchange__(value, place), own_lane__);
   }
   template <class T>
   T fwidth(T value, int place = __builtin_LINE()) {
-    return glsl::fwidth(exchange(value, place), lane_);
+    return glsl::fwidth(exchange__(value, place), own_lane__);
   }
 
   template <class Sampler, class P>
   vec4 texture(const Sampler& s, P p, int place = __builtin_LINE()) {
-    return glsl::texture(s, p, lod(s, p, place));
+    return glsl::texture(s, p, lod__(s, p, place));
   }
   template <class Sampler, class P>
   vec4 texture(const Sampler& s, P p, Float bias, int place = __builtin_LINE()) {
-    return glsl::texture(s, p, lod(s, p, place), bias);
+    return glsl::texture(s, p, lod__(s, p, place), bias);
   }
   template <class Sampler, class P, class Offset>
   vec4 textureOffset(const Sampler& s, P p, Offset offset, int place = __builtin_LINE()) {
-    return glsl::textureOffset(s, p, lod(s, p, place), offset);
+    return glsl::textureOffset(s, p, lod__(s, p, place), offset);
   }
   template <class Sampler, class P, class Offset>
   vec4 textureOffset(const Sampler& s, P p, Offset offset, Float bias, int place = __builtin_LINE()) {
-    return glsl::textureOffset(s, p, lod(s, p, place), offset, bias);
+    return glsl::textureOffset(s, p, lod__(s, p, place), offset, bias);
   }
   template <class Sampler, class P>
   vec4 textureProj(const Sampler& s, P p, int place = __builtin_LINE()) {
-    return glsl::textureProj(s, p, lod(s, glsl::projected(s, p), place));
+    return glsl::textureProj(s, p, lod__(s, glsl::projected(s, p), place));
   }
   template <class Sampler, class P>
   vec4 textureProj(const Sampler& s, P p, Float bias, int place = __builtin_LINE()) {
-    return glsl::textureProj(s, p, lod(s, glsl::projected(s, p), place), bias);
+    return glsl::textureProj(s, p, lod__(s, glsl::projected(s, p), place), bias);
   }
   template <class Sampler, class P, class Offset>
   vec4 textureProjOffset(const Sampler& s, P p, Offset offset, int place = __builtin_LINE()) {
-    return glsl::textureProjOffset(s, p, lod(s, glsl::projected(s, p), place), offset);
+    return glsl::textureProjOffset(s, p, lod__(s, glsl::projected(s, p), place), offset);
   }
   template <class Sampler, class P, class Offset>
   vec4 textureProjOffset(const Sampler& s, P p, Offset offset, Float bias, int place = __builtin_LINE()) {
-    return glsl::textureProjOffset(s, p, lod(s, glsl::projected(s, p), place), offset, bias);
+    return glsl::textureProjOffset(s, p, lod__(s, glsl::projected(s, p), place), offset, bias);
   }
 
-  // What follows is the twin's, not the shader's.
+  // What follows is the twin's, not the shader's: names end in two underscores, so that they hide none of it.
 
   template <class Shader>
   friend class PixelLoop;
 
  private:
   template <class Sampler, class P>
-  Lod lod(const Sampler& s, const P& p, int place) {
-    if (quad_ == nullptr || !needs_lod(s)) return Lod{};
-    return implicit_lod(s, exchange(p, place), lane_);
+  Lod lod__(const Sampler& s, const P& p, int place) {
+    if (quad__ == nullptr || !needs_lod(s)) return Lod{};
+    return implicit_lod(s, exchange__(p, place), own_lane__);
   }
 
   // The value that each pixel of the quad has here. One that did not come here (it has ended, or took another
   // branch) counts as if the value changed evenly over the square.
   template <class T>
-  Quad<T> exchange(const T& value, int place) {
+  Quad<T> exchange__(const T& value, int place) {
     Quad<T> quad{{value, value, value, value}};
-    if (quad_ == nullptr) return quad;
+    if (quad__ == nullptr) return quad;
     static_assert(sizeof(T) <= twin::QuadExchange::max_bytes);
-    std::memcpy(quad_->waiting[lane_].value, &value, sizeof value);
-    quad_->waiting[lane_].place = place;
-    quad_->wait(quad_, lane_);
+    std::memcpy(quad__->waiting[own_lane__].value, &value, sizeof value);
+    quad__->waiting[own_lane__].place = place;
+    quad__->wait(quad__, own_lane__);
 #ifdef SHADERTWIN_CHECK
     resume__();
 #endif
-    const auto met = [&](int lane) { return (quad_->met_lanes >> lane & 1u) != 0; };
+    const auto met = [&](int lane) { return (quad__->met_lanes >> lane & 1u) != 0; };
     for (int i = 0; i < 4; ++i) {
-      if (met(i)) std::memcpy(static_cast<void*>(&quad.v[i]), quad_->met[i].value, sizeof value);
+      if (met(i)) std::memcpy(static_cast<void*>(&quad.v[i]), quad__->met[i].value, sizeof value);
     }
     for (int i = 0; i < 4; ++i) {
       if (!met(i) && met(i ^ 1) && met(i ^ 2) && met(i ^ 3))
@@ -108,11 +108,11 @@ struct Invocation : twin::Checks {
     return quad;
   }
 
-  std::jmp_buf end_;
-  const std::atomic<bool>* stop_ = nullptr;
-  unsigned rounds_ = 0;
-  twin::QuadExchange* quad_ = nullptr;
-  int lane_ = 0;
+  std::jmp_buf end__;
+  const std::atomic<bool>* stop__ = nullptr;
+  unsigned rounds__ = 0;
+  twin::QuadExchange* quad__ = nullptr;
+  int own_lane__ = 0;
 };
 
 // Gives a uniform its value.
@@ -170,8 +170,8 @@ class PixelLoop {
 
   PixelLoop(const twin::Request& request, Output output) : request_(request), output_(output) {
     for (Shader& shader : shaders_) {
-      shader.bind_uniforms(UniformReader(request));
-      shader.stop_ = request.stop;
+      shader.bind_uniforms__(UniformReader(request));
+      shader.stop__ = request.stop;
       if (!request.quads) break;
     }
   }
@@ -203,8 +203,8 @@ class PixelLoop {
     const int y = y_ + lane / 2;
     shader.gl_FragCoord =
         vec4(static_cast<Float>(x) + Float(0.5), static_cast<Float>(y) + Float(0.5), 0.5, 1);
-    shader.quad_ = request_.quads ? &exchange_ : nullptr;
-    shader.lane_ = lane;
+    shader.quad__ = request_.quads ? &exchange_ : nullptr;
+    shader.own_lane__ = lane;
     const bool inside = x >= request_.x0 && x < request_.x1 && y >= request_.y0 && y < request_.y1;
 #ifdef SHADERTWIN_CHECK
     shader.start__(inside ? request_.log : nullptr, x, y);
@@ -218,10 +218,10 @@ class PixelLoop {
 
   // Whether the pixel has a colour.
   static bool draw(Shader& shader) {
-    if constexpr (Shader::uses_stop) {
-      if (setjmp(shader.end_) != 0) return false;
+    if constexpr (Shader::uses_stop__) {
+      if (setjmp(shader.end__) != 0) return false;
     }
-    shader.initialise();
+    shader.initialise__();
     shader.main();
     return true;
   }
@@ -261,7 +261,7 @@ inline vec4 as_pixel(Float color) {
       shadertwin::twin::Description* description) {                                                  \
     using namespace shadertwin::glsl;                                                                \
     *description = {shadertwin::twin::abi_version, sizeof(Float) == sizeof(double),                  \
-                    Shader::uses_derivatives, Shader::uses_implicit_lod};                            \
+                    Shader::uses_derivatives__, Shader::uses_implicit_lod__};                            \
   }                                                                                                  \
   extern "C" __attribute__((visibility("default"))) void shadertwin_render(                          \
       const shadertwin::twin::Request* request) {                                                    \

@@ -67,25 +67,25 @@ struct Invocation {
   // Textures are read lane by lane, by those of the mask.
   template <class Sampler, class P, class... Bias>
   vec4 texture(Bool mask, const Sampler& s, const P& p, const Bias&... bias) {
-    const Lods lods(s, [&](int i) { return lane__(p, i); });
+    const Lods__ lods(s, [&](int i) { return lane__(p, i); });
     return each_lane__(mask,
                        [&](int i) { return glsl::texture(s, lane__(p, i), lods[i], lane__(bias, i)...); });
   }
   template <class Sampler, class P, class... Rest>
   vec4 textureOffset(Bool mask, const Sampler& s, const P& p, const Rest&... rest) {
-    const Lods lods(s, [&](int i) { return lane__(p, i); });
+    const Lods__ lods(s, [&](int i) { return lane__(p, i); });
     return each_lane__(
         mask, [&](int i) { return glsl::textureOffset(s, lane__(p, i), lods[i], lane__(rest, i)...); });
   }
   template <class Sampler, class P, class... Bias>
   vec4 textureProj(Bool mask, const Sampler& s, const P& p, const Bias&... bias) {
-    const Lods lods(s, [&](int i) { return glsl::projected(s, lane__(p, i)); });
+    const Lods__ lods(s, [&](int i) { return glsl::projected(s, lane__(p, i)); });
     return each_lane__(
         mask, [&](int i) { return glsl::textureProj(s, lane__(p, i), lods[i], lane__(bias, i)...); });
   }
   template <class Sampler, class P, class... Rest>
   vec4 textureProjOffset(Bool mask, const Sampler& s, const P& p, const Rest&... rest) {
-    const Lods lods(s, [&](int i) { return glsl::projected(s, lane__(p, i)); });
+    const Lods__ lods(s, [&](int i) { return glsl::projected(s, lane__(p, i)); });
     return each_lane__(
         mask, [&](int i) { return glsl::textureProjOffset(s, lane__(p, i), lods[i], lane__(rest, i)...); });
   }
@@ -93,16 +93,16 @@ struct Invocation {
   // Cubes, where a pixel beside a corner changes what is computed for all eight.
   template <class P, class... Bias>
   vec4 texture(Bool mask, const samplerCube& s, const P& p, const Bias&... bias) {
-    const Lods lods(s, [&](int i) { return lane__(p, i); });
-    return read_cube(mask, s, p, [&](int i) { return glsl::detail::request(lods[i], lane__(bias, i)...); });
+    const Lods__ lods(s, [&](int i) { return lane__(p, i); });
+    return read_cube__(mask, s, p, [&](int i) { return glsl::detail::request(lods[i], lane__(bias, i)...); });
   }
   template <class P, class Level>
   vec4 textureLod(Bool mask, const samplerCube& s, const P& p, const Level& level) {
-    return read_cube(mask, s, p, [&](int i) { return glsl::detail::request(lane__(level, i)); });
+    return read_cube__(mask, s, p, [&](int i) { return glsl::detail::request(lane__(level, i)); });
   }
   template <class P, class X, class Y>
   vec4 textureGrad(Bool mask, const samplerCube& s, const P& p, const X& dx, const Y& dy) {
-    return read_cube(mask, s, p, [&](int i) {
+    return read_cube__(mask, s, p, [&](int i) {
       return glsl::detail::request(s.bound, lane__(p, i), lane__(dx, i), lane__(dy, i));
     });
   }
@@ -126,12 +126,12 @@ struct Invocation {
 #undef SHADERTWIN_READ
 
   // Ends this packet: a loop that has to stop.
-  [[noreturn]] void stop_invocation() {
-    std::longjmp(end_, 1);
+  [[noreturn]] void stop_invocation__() {
+    std::longjmp(end__, 1);
   }
 
-  void loop_guard() {
-    if ((++rounds_ & 0xfffu) == 0 && stop_->load(std::memory_order_relaxed)) stop_invocation();
+  void loop_guard__() {
+    if ((++rounds__ & 0xfffu) == 0 && stop__->load(std::memory_order_relaxed)) stop_invocation__();
   }
 
   template <class Shader>
@@ -139,10 +139,10 @@ struct Invocation {
 
  private:
   // The level of detail of each pixel.
-  class Lods {
+  class Lods__ {
    public:
     template <class Sampler, class Coordinates>
-    Lods(const Sampler& s, const Coordinates& coordinates) {
+    Lods__(const Sampler& s, const Coordinates& coordinates) {
       if (!needs_lod(s)) return;
       using P = decltype(coordinates(0));
       constexpr bool shared = !std::is_same_v<Sampler, samplerCube>;
@@ -160,7 +160,7 @@ struct Invocation {
   };
 
   template <class P, class Request>
-  static vec4 read_cube(Bool mask, const samplerCube& s, const P& p, const Request& request) {
+  static vec4 read_cube__(Bool mask, const samplerCube& s, const P& p, const Request& request) {
     if (s.bound.view == nullptr) return vec4(0.0F, 0.0F, 0.0F, 1.0F);
     LodRequest requests[lanes];
     unsigned corners = 0;
@@ -176,9 +176,9 @@ struct Invocation {
     });
   }
 
-  std::jmp_buf end_;
-  const std::atomic<bool>* stop_ = nullptr;
-  unsigned rounds_ = 0;
+  std::jmp_buf end__;
+  const std::atomic<bool>* stop__ = nullptr;
+  unsigned rounds__ = 0;
 };
 
 // Draws the pixels of a request. Shader is the emitted structure.
@@ -188,8 +188,8 @@ class PixelLoop {
   using Output = vec4 (*)(const Shader&);
 
   PixelLoop(const twin::Request& request, Output output) : request_(request), output_(output) {
-    shader_.bind_uniforms(UniformReader(request));
-    shader_.stop_ = request.stop;
+    shader_.bind_uniforms__(UniformReader(request));
+    shader_.stop__ = request.stop;
   }
 
   void run() {
@@ -229,10 +229,10 @@ class PixelLoop {
 
   // Whether the pixels have colours.
   bool draw(Bool running) {
-    if constexpr (Shader::uses_stop) {
-      if (setjmp(shader_.end_) != 0) return false;
+    if constexpr (Shader::uses_stop__) {
+      if (setjmp(shader_.end__) != 0) return false;
     }
-    shader_.initialise(running);
+    shader_.initialise__(running);
     shader_.main(running);
     return true;
   }
@@ -270,8 +270,8 @@ SHADERTWIN_INLINE void unwritten(Bool mask, T& variable) {
   extern "C" __attribute__((visibility("default"))) void shadertwin_describe(                        \
       shadertwin::twin::Description* description) {                                                  \
     using namespace shadertwin::glsl::packet;                                                        \
-    *description = {shadertwin::twin::abi_version, false, Shader::uses_derivatives,                  \
-                    Shader::uses_implicit_lod};                                                      \
+    *description = {shadertwin::twin::abi_version, false, Shader::uses_derivatives__,                  \
+                    Shader::uses_implicit_lod__};                                                      \
   }                                                                                                  \
   extern "C" __attribute__((visibility("default"))) void shadertwin_render(                          \
       const shadertwin::twin::Request* request) {                                                    \

@@ -220,9 +220,9 @@ INSTANTIATE_TEST_SUITE_P(
         Planted{"ShiftOutOfRange", "c.x = float(1 << (none + 32));", "undefined", "shift"},
         Planted{"ModByZero", "c.x = mod(p.x, zero);", "undefined", "mod()"},
         Planted{"SmoothstepCrossed", "c.x = smoothstep(1.0, zero, p.x);", "undefined", "smoothstep()"},
-        Planted{"Infinity", "c.x = exp2(200.0 + p.x);", "inf", "infinity is born"},
+        Planted{"Infinity", "c.x = exp2(200.0 + p.x);", "inf", "infinity first appears"},
         Planted{"NotANumber", "float big = exp2(200.0 + p.x) - exp2(200.0 + p.x); c.x = big;", "nan",
-                "NaN is born"},
+                "NaN first appears"},
         Planted{"EndlessLoop", "for (int i = 0; i < 70000 + none; ++i) c.x += 1.0;", "loop",
                 "loops of more than 65534"}),
     [](const auto& planted) { return std::string(planted.param.name); });

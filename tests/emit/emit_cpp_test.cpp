@@ -98,6 +98,28 @@ TEST(EmitCpp, GlobalIsCopiedWhereTheFunctionCanReachItItself) {
                        "Float tmp = s;\ng(tmp);\ns = tmp;\n"));
 }
 
+TEST(EmitCpp, InoutIsReadBehindTheEffectsOfOtherArguments) {
+  EXPECT_TRUE(contains(emitted("int n;\nint next() { return ++n; }\nvoid g(int d, inout int v) { v += d; }\n"
+                               "void f() { g(next(), n); }"),
+                       "const int tmp = next();\nint tmp_2 = n;\ng(tmp, tmp_2);\nn = tmp_2;\n"));
+}
+
+TEST(EmitCpp, IndexWithAnEffectIsEvaluatedOnce) {
+  EXPECT_TRUE(contains(emitted("float f() { float a[3]; int i = 0; a[i++] *= 2.0; return a[0]; }"),
+                       "const int tmp = i++;\na[tmp] *= 2.0f;\n"));
+}
+
+TEST(EmitCpp, IndexedSwizzleIsAComponentOfItsVector) {
+  EXPECT_TRUE(contains(emitted("vec4 f(vec4 v, int i) { v.zyx[i] = 7.0; return v; }"),
+                       "at(v, at(ivec3(2, 1, 0), i)) = 7.0f;\n"));
+}
+
+TEST(EmitCpp, LengthKeepsTheCallThatGivesTheArray) {
+  EXPECT_TRUE(contains(emitted("int n;\nfloat[3] g() { n++; return float[3](1.0, 2.0, 3.0); }\n"
+                               "int f() { return g().length(); }"),
+                       "g();\nreturn 3;\n"));
+}
+
 TEST(EmitCpp, OutParameterDoesNotKeepTheCallersValue) {
   EXPECT_TRUE(contains(emitted("void g(out vec2 v, float x) { if (x > 0.0) v.x = x; }"), "unwritten(v);\n"));
 }
@@ -105,6 +127,26 @@ TEST(EmitCpp, OutParameterDoesNotKeepTheCallersValue) {
 TEST(EmitCpp, WordsOfCppAreRenamed) {
   EXPECT_TRUE(contains(emitted("float delete(float new) { return new; }"),
                        "Float delete_(Float new_) {\nreturn new_;\n"));
+}
+
+TEST(EmitCpp, NamesThatDifferByUnderscoresStayApart) {
+  EXPECT_TRUE(contains(emitted("float f(float new, float new_, float set__, float a_) { return new + new_ + "
+                               "set__ + a_; }"),
+                       "return new_ + new__ + set___ + a_;\n"));
+}
+
+TEST(EmitCpp, MemberNamedAfterItsTypeIsRenamed) {
+  EXPECT_TRUE(contains(emitted("struct ray { vec3 d; };\nstruct hit { ray ray; };\nvec3 f(hit h) { return h.ray.d; }"),
+                       "ray ray_2;\n"));
+}
+
+TEST(EmitCpp, GlobalNamedAfterABuiltinIsRenamed) {
+  EXPECT_TRUE(contains(emitted("struct length { float x; };\nfloat f() { return length(3.0).x; }"),
+                       "return length_{3.0f}.x;\n"));
+}
+
+TEST(EmitCpp, MacrosOfHeadersAreUndefined) {
+  EXPECT_TRUE(contains(emitted("float f(float alloca) { return alloca; }"), "#undef alloca\n"));
 }
 
 TEST(EmitCpp, LocalNamedAfterABuiltinThatTheFunctionCallsIsRenamed) {

@@ -40,7 +40,7 @@ TEST(EmitPackets, BranchRunsUnderTheMaskOfThosePixelsThatTakeIt) {
   EXPECT_TRUE(
       contains(packets("float f() { float x = gl_FragCoord.x; float y = 0.0; if (x < 2.0) { y = x; float "
                        "z = x; z = 1.0; } return y; }"),
-               "if (Bool active_2 = active && (x < 2.0f); some__(active_2)) {\nset__(active_2, y, x);\nFloat "
+               "if (Bool active_2 = active && (x < 2.0f); any__(active_2)) {\nset__(active_2, y, x);\nFloat "
                "z = x;\nz = "
                "1.0f;\n}\nreturn y;\n"));
 }
@@ -56,16 +56,16 @@ TEST(EmitPackets, LoopTurnsUntilItsLastPixelHasLeft) {
       contains(packets("float f() { float x = gl_FragCoord.x; for (int i = 0; i < 9; i++) { if (x > 3.0) "
                        "break; x += 1.0; } return x; }"),
                "Bool loop = active;\nint i = 0;\nfor (;; i++) {\nloop = loop && (i < 9);\nif (none__(loop)) "
-               "break;\nBool active_2 = loop;\nif (Bool active_3 = active_2 && (x > 3.0f); some__(active_3)) "
-               "{\nleave__(active_3, "
+               "break;\nBool active_2 = loop;\nif (Bool active_3 = active_2 && (x > 3.0f); any__(active_3)) "
+               "{\nmask_out__(active_3, "
                "active_2, loop);\n}\nif (none__(active_2)) continue;\nset__(active_2, x, x + 1.0f);\n}\n"));
 }
 
 TEST(EmitPackets, FunctionGoesOnForThePixelsThatHaveNotReturned) {
   EXPECT_TRUE(contains(packets("float f() { if (gl_FragCoord.x < 2.0) return 1.0; return 2.0; }"),
                        "Float result{};\nif (Bool active_2 = active && (gl_FragCoord.x < 2.0f); "
-                       "some__(active_2)) {\nset__(active_2, "
-                       "result, 1.0f);\nleave__(active_2, active);\n}\nif (none__(active)) return "
+                       "any__(active_2)) {\nset__(active_2, "
+                       "result, 1.0f);\nmask_out__(active_2, active);\n}\nif (none__(active)) return "
                        "result;\nset__(active, result, "
                        "2.0f);\nreturn result;\n"));
 }
@@ -81,7 +81,7 @@ TEST(EmitPackets, RightSideOfAnAndRunsForThosePixelsThatNeedIt) {
   EXPECT_TRUE(
       contains(text,
                "const Bool tmp = gl_FragCoord.x < 2.0f;\nBool tmp_2 = tmp;\nif (Bool active_2 = active && "
-               "tmp; some__(active_2)) {\nset__(active_2, tmp_2, f(active_2));\n}\nreturn tmp_2;\n"));
+               "tmp; any__(active_2)) {\nset__(active_2, tmp_2, f(active_2));\n}\nreturn tmp_2;\n"));
 }
 
 TEST(EmitPackets, ElementThatEachPixelChoosesIsPutBack) {
@@ -93,7 +93,7 @@ TEST(EmitPackets, ElementThatEachPixelChoosesIsPutBack) {
 TEST(EmitPackets, DiscardedPixelsRunNoFurther) {
   const std::string text =
       packets("void f() { if (gl_FragCoord.x < 2.0) discard; } float g() { f(); return gl_FragCoord.x; }");
-  EXPECT_TRUE(contains(text, "alive__ = alive__ && !active_2;\nleave__(active_2, active);\n"));
+  EXPECT_TRUE(contains(text, "alive__ = alive__ && !active_2;\nmask_out__(active_2, active);\n"));
   EXPECT_TRUE(contains(text, "f(active);\nkeep__(alive__, active);\nif (none__(active)) return {};\n"));
 }
 
