@@ -92,7 +92,7 @@ void run_compare(const CompareOptions& options) {
   std::set<std::string> told;
   const auto a = open_player(options.players[0], project, options, &told);
   const auto b = open_player(options.players[1], project, options, &told);
-  FixedClock clock(schedule, project.dialect);
+  FixedClock clock(schedule, host_rules(project));
 
   const int only = options.pass.empty() ? -1 : chosen_pass(project, options);
   const auto measure = [&] {

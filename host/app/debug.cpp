@@ -40,7 +40,7 @@ void play_to_the_pixel(const DebugOptions& options) {
   twin_options.double_precision = options.on == "cpu/double";
   twin_options.stop_at = twin::Moment{chosen_pass(project, options), options.frames - 1, pixel.x, pixel.y};
   const auto player = twin::TwinPlayer::create(project, twin_options);
-  FixedClock clock(schedule, project.dialect);
+  FixedClock clock(schedule, host_rules(project));
   for (int i = 0; i < options.frames; ++i) player->render(clock.next());
   const Image image = player->read(twin_options.stop_at->pass);
   const float* value = image.at(pixel.x, pixel.y);

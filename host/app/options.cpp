@@ -182,7 +182,6 @@ Schedule make_schedule(const PlayOptions& o) {
   if (!std::isfinite(o.time)) throw Error(ExitStatus::usage, "--time must be a finite number");
   schedule.fps = o.fps;
   schedule.t0 = o.time;
-  schedule.vscode_quirks = o.vscode_quirks;
   if (!o.date.empty()) schedule.date = Date::parse(o.date);
   for (const std::string& text : o.mouse) schedule.mouse.push_back(parse_mouse(text));
   for (const std::string& list : o.keys)

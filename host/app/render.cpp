@@ -103,7 +103,7 @@ void render(const RenderOptions& options) {
   std::optional<VideoSound> sound;
   if (output->wants_sound()) sound.emplace(project, schedule, *player);
 
-  FixedClock clock(schedule, project.dialect);
+  FixedClock clock(schedule, host_rules(project));
   Batch batch;
   const auto start = Clock::now();
   auto first_drawn = start;

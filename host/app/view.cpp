@@ -35,8 +35,7 @@ void run(const ViewCommand& o) {
   options.shader = o.shader;
   options.load = make_load_options(o);
   options.size = {schedule.width, schedule.height};
-  options.clock = {
-      .t0 = schedule.t0, .rate = {}, .date = {}, .paused = o.paused, .vscode_quirks = o.vscode_quirks};
+  options.clock = {.t0 = schedule.t0, .rate = {}, .date = {}, .paused = o.paused};
   if (o.fixed_rate) options.clock.rate = schedule.fps;
   if (o.fixed_rate || !o.date.empty()) options.clock.date = schedule.date;
   options.recording_rate = schedule.fps;

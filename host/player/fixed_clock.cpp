@@ -89,9 +89,7 @@ Frame FixedClock::next() {
   frame.index = index_;
   const double elapsed = index_ / schedule_.fps;
   frame.time = schedule_.t0 + elapsed;
-  // shadertoy.com's first frame says 1/60, the extension's 0.
-  const double first_delta = quirks_ ? 0.0 : 1.0 / 60.0;
-  frame.time_delta = index_ == 0 ? first_delta : 1.0 / schedule_.fps;
+  frame.time_delta = index_ == 0 ? first_time_delta_ : 1.0 / schedule_.fps;
   frame.frame_rate = schedule_.fps;
   frame.date = shader_date(schedule_.date, elapsed);
   frame.mouse = mouse_.next_frame();

@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "host/project/host_rules.h"
+
 namespace shadertwin {
 
 namespace {
@@ -48,7 +50,7 @@ Input bound_input(const Pass& pass, std::size_t channel) {
 
 glm::vec3 channel_size(const Project& project, const Input& input, const Texture* texture,
                        glm::ivec2 frame_size) {
-  const bool site = project.dialect == Dialect::shadertoy;
+  const HostRules rules = host_rules(project);
   switch (input.wanted()) {
     case InputKind::none:
       return glm::vec3(0.0F);
@@ -59,23 +61,24 @@ glm::vec3 channel_size(const Project& project, const Input& input, const Texture
       return texture == nullptr ? glm::vec3(0.0F)
                                 : glm::vec3(texture->width, texture->height, texture->depth);
     case InputKind::cubemap:
-      return site || input.kind == InputKind::none ? glm::vec3(0.0F) : glm::vec3(0.0F, 0.0F, 1.0F);
+      return rules.cubemap_has_size && input.kind != InputKind::none ? glm::vec3(0.0F, 0.0F, 1.0F)
+                                                                     : glm::vec3(0.0F);
     case InputKind::pass:
       if (input.kind == InputKind::none) return glm::vec3(0.0F);
       return project.passes[static_cast<std::size_t>(input.pass)].kind == PassKind::cubemap
                  ? glm::vec3(cubemap_pass_size, cubemap_pass_size, 1)
                  : glm::vec3(frame_size, 1);
     case InputKind::keyboard:
-      return glm::vec3(256, site ? 3 : 4, 1);
+      return glm::vec3(256, rules.keyboard_rows, 1);
     case InputKind::music:
     case InputKind::microphone:
-      return site ? glm::vec3(512, 2, 1) : glm::vec3(0.0F);
+      return rules.sound_has_size ? glm::vec3(512, 2, 1) : glm::vec3(0.0F);
   }
   return glm::vec3(0.0F);
 }
 
 Project with_shared_samplers(Project project) {
-  if (project.dialect != Dialect::shadertoy) return project;
+  if (!host_rules(project).shared_samplers) return project;
   std::map<int, Wrap> wraps;  // by the pass that is read
   for (const Pass& pass : project.passes)
     for (const Input& input : pass.inputs)
@@ -95,14 +98,15 @@ Project with_shared_samplers(Project project) {
 }
 
 std::vector<bool> passes_with_history(const Project& project) {
+  const HostRules rules = host_rules(project);
   const int count = static_cast<int>(project.passes.size());
   std::vector<bool> history(project.passes.size(), false);
   for (int reader = 0; reader < count; ++reader)
     for (const Input& input : project.passes[static_cast<std::size_t>(reader)].inputs)
       if (input.kind == InputKind::pass &&
-          (input.pass == reader || (input.pass > reader && !project.vscode_quirks)))
+          (input.pass == reader || (input.pass > reader && !rules.swaps_after_frame)))
         history[static_cast<std::size_t>(input.pass)] = true;
-  if (project.dialect == Dialect::shadertoy)
+  if (rules.keeps_previous_pictures)
     for (std::size_t i = 0; i < history.size(); ++i)
       if (project.passes[i].kind == PassKind::buffer || project.passes[i].kind == PassKind::cubemap)
         history[i] = true;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "host/project/host_rules.h"
+
 namespace shadertwin {
 
 namespace {
@@ -48,8 +50,8 @@ Uniforms uniforms_for(const Project& project, const Pass& pass, const Frame& fra
   u.iMouse = frame.mouse;
   u.iMouseButton = frame.mouse_button;
   std::copy(times.begin(), times.end(), u.iChannelTime);
-  // shadertoy.com always has an audio context; the extension starts one with the first audio input.
-  bool audio = project.dialect == Dialect::shadertoy;
+  // Where there is no audio context from the start, the first audio input makes one.
+  bool audio = host_rules(project).always_has_audio;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     u.iChannelResolution[i] = channels[i];
     audio = audio || pass.inputs[i].kind == InputKind::music || pass.inputs[i].kind == InputKind::microphone;

@@ -5,6 +5,7 @@
 #include "host/base/error.h"
 #include "host/project/browser_text.h"
 #include "host/project/entry_points.h"
+#include "host/project/host_rules.h"
 #include "host/project/keyboard_text.h"
 #include "host/project/main_text.h"
 #include "host/project/tokens.h"
@@ -156,7 +157,7 @@ void add_shadertoy(Head& head, const Project& project, const Pass& pass) {
 // main() for the kind of pass; none if it is the user's own.
 std::optional<MainText> choose_main(const Project& project, const Pass& pass, const EntryPoints& entry,
                                     const WrapOptions& options, bool asserts) {
-  const bool opaque = project.dialect == Dialect::shadertoy && pass.kind == PassKind::image;
+  const bool opaque = host_rules(project).opaque_image && pass.kind == PassKind::image;
   if (pass.kind == PassKind::sound) {
     if (!entry.sound) fail_without_entry(project, pass, "mainSound(in int, float)");
     return sound_main(entry.sound_of_time);

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "host/project/host_rules.h"
+
 namespace shadertwin::view {
 
 namespace fs = std::filesystem;
@@ -22,11 +24,11 @@ void Playing::replace(const fs::path& shader, Loaded loaded) {
   if (!same) uniforms_ = LiveUniforms();
   shader_ = shader;
   const std::unique_ptr<Stage> before = std::move(stage_);
-  const Dialect dialect = project_.dialect;
+  const HostRules earlier = host_rules(project_);
   put_on(std::move(loaded));
   if (!same) return;
   if (const int pass = find_pass(project_, name); pass >= 0) show(pass);
-  if (dialect == Dialect::shadertoy && project_.dialect == dialect && before->ready())
+  if (earlier.keeps_pictures_on_reload && host_rules(project_).keeps_pictures_on_reload && before->ready())
     stage_->continue_from(*before);
 }
 

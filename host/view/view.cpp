@@ -52,7 +52,7 @@ class View {
         presenter_(window_.context()),
         read_(FileWatch::now()),
         playing_(options.shader, load(options.shader)),
-        clock_(options.clock, playing_.project().dialect),
+        clock_(options.clock, host_rules(playing_.project())),
         capture_(options.output.empty() ? stem_of(options.shader) : options.output),
         sound_(options.sound_player,
                [quiet = options.quiet](const std::string& line) {
@@ -122,7 +122,7 @@ class View {
     if (same)
       clock_.restart_frames();
     else
-      clock_.set_dialect(playing_.project().dialect);
+      clock_.restart(host_rules(playing_.project()));
     play_sound();
     name_window();
   }

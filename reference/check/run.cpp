@@ -129,7 +129,7 @@ Trace trace(const Project& project, const RunOptions& options, twin::Uninitialis
             const Unsteady& unsteady) {
   Tracer tracer(unsteady.pass, unsteady.frame, unsteady.samples);
   const auto player = open(project, options, uninitialised, tracer);
-  FixedClock clock(options.schedule, project.dialect);
+  FixedClock clock(options.schedule, host_rules(project));
   for (int i = 0; i <= unsteady.frame; ++i) player->render(clock.next());
   return tracer.take();
 }
@@ -159,7 +159,7 @@ std::vector<Finding> run_checks(const Project& project, const RunOptions& option
   Counter ignored;
   const auto zero = open(project, options, twin::Uninitialised::zero, counter);
   const auto pattern = open(project, options, twin::Uninitialised::pattern, ignored);
-  FixedClock clock(options.schedule, project.dialect);
+  FixedClock clock(options.schedule, host_rules(project));
   std::vector<Unsteady> unsteady;
   for (int i = 0; i < options.frames; ++i) {
     const Frame frame = clock.next();
