@@ -11,6 +11,7 @@
 #include "host/app/progress.h"
 #include "host/app/report.h"
 #include "host/base/error.h"
+#include "host/project/kinds.h"
 
 namespace shadertwin::app {
 
@@ -98,7 +99,7 @@ void run_compare(const CompareOptions& options) {
   const auto measure = [&] {
     std::vector<PassDifference> passes;
     for (int i = 0; i < static_cast<int>(project.passes.size()); ++i)
-      if ((only < 0 || i == only) && project.passes[static_cast<std::size_t>(i)].kind != PassKind::sound)
+      if ((only < 0 || i == only) && traits(project.passes[static_cast<std::size_t>(i)]).every_frame)
         passes.push_back({i, shadertwin::compare(a->read(i), b->read(i))});
     return passes;
   };

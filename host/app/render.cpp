@@ -20,6 +20,7 @@
 #include "host/media/video_writer.h"
 #include "host/player/inputs.h"
 #include "host/player/sound.h"
+#include "host/project/kinds.h"
 
 namespace shadertwin::app {
 
@@ -85,8 +86,8 @@ double milliseconds(Clock::duration time) {
 }
 
 glm::ivec2 picture_size(const Project& project, int pass, const Schedule& schedule) {
-  if (project.passes[static_cast<std::size_t>(pass)].kind == PassKind::cubemap)
-    return {cubemap_pass_size, 6 * cubemap_pass_size};
+  const PassTraits& kind = traits(project.passes[static_cast<std::size_t>(pass)]);
+  if (kind.side != 0) return {kind.side, kind.faces * kind.side};
   return {schedule.width, schedule.height};
 }
 
@@ -132,7 +133,7 @@ void render(const RenderOptions& options) {
   if (!options.json.empty()) {
     nlohmann::json passes = nlohmann::json::array();
     for (std::size_t i = 0; i < project.passes.size(); ++i)
-      if (project.passes[i].kind != PassKind::sound) {
+      if (traits(project.passes[i]).every_frame) {
         nlohmann::json entry = {{"name", project.passes[i].name}};
         entry.update(statistics(player->read(static_cast<int>(i))));
         passes.push_back(entry);

@@ -2,6 +2,7 @@
 
 #include "host/player/inputs.h"
 #include "host/player/keyboard.h"
+#include "host/project/kinds.h"
 
 namespace shadertwin::gl {
 
@@ -9,22 +10,21 @@ namespace {
 
 // The target that the shader's sampler of an empty channel looks at.
 GLenum target_of_empty(const Input& input) {
-  if (input.missing == InputKind::cubemap) return GL_TEXTURE_CUBE_MAP;
-  return input.missing == InputKind::volume ? GL_TEXTURE_3D : GL_TEXTURE_2D;
+  const SamplerShape shape = info(input.missing).shape;
+  if (shape == SamplerShape::cube) return GL_TEXTURE_CUBE_MAP;
+  return shape == SamplerShape::volume ? GL_TEXTURE_3D : GL_TEXTURE_2D;
 }
 
 }  // namespace
 
 ChannelTexture ChannelTextures::load(const Input& input) {
-  switch (input.kind) {
-    case InputKind::texture:
-    case InputKind::cubemap:
-    case InputKind::volume: {
+  switch (info(input.kind).source) {
+    case InputSource::files: {
       const Picture& loaded = picture(input);
       return {{texture_target(loaded.texture), loaded.object.name()},
               channel_size(project_, input, &loaded.texture, {0, 0})};
     }
-    case InputKind::keyboard:
+    case InputSource::keyboard:
       return {keyboard(), channel_size(project_, input, nullptr, {0, 0})};
     default:
       break;

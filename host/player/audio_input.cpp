@@ -180,7 +180,7 @@ std::unique_ptr<MovingInput> open_audio_input(const Project& project, const Inpu
                                               std::vector<std::string>& warnings) {
   const HostRules rules = host_rules(project);
   if (project.muted) return std::make_unique<Preview>(rules);
-  if (input.kind == InputKind::music) return std::make_unique<Music>(input.files.front(), rules);
+  if (!input.files.empty()) return std::make_unique<Music>(input.files.front(), rules);
   if (input.kind == InputKind::microphone) {
     std::string why;
     if (auto microphone = media::Microphone::open(sound_rate, why))

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host/project/host_rules.h"
+#include "host/project/kinds.h"
 
 namespace shadertwin {
 
@@ -54,7 +55,7 @@ Uniforms uniforms_for(const Project& project, const Pass& pass, const Frame& fra
   bool audio = host_rules(project).always_has_audio;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     u.iChannelResolution[i] = channels[i];
-    audio = audio || pass.inputs[i].kind == InputKind::music || pass.inputs[i].kind == InputKind::microphone;
+    audio = audio || info(pass.inputs[i].kind).is_audio;
   }
   u.iSampleRate = audio ? static_cast<float>(sound_rate) : 0.0F;
   u.iViewMatrix = project.first_person_controls ? frame.view : glm::mat4(1.0F);

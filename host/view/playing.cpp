@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "host/project/host_rules.h"
+#include "host/project/kinds.h"
 
 namespace shadertwin::view {
 
@@ -60,7 +61,7 @@ void Playing::show_neighbour(int direction) {
   const int count = static_cast<int>(project_.passes.size());
   int pass = pass_;
   do pass = (pass + direction + count) % count;
-  while (project_.passes[static_cast<std::size_t>(pass)].kind == PassKind::sound);
+  while (!traits(project_.passes[static_cast<std::size_t>(pass)]).every_frame);
   show(pass);
 }
 

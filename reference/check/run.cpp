@@ -5,6 +5,7 @@
 #include <mutex>
 #include <tuple>
 
+#include "host/project/kinds.h"
 #include "reference/check/trace.h"
 #include "reference/glsl/check.h"
 #include "reference/twin/twin_player.h"
@@ -168,7 +169,7 @@ std::vector<Finding> run_checks(const Project& project, const RunOptions& option
     if (!unsteady.empty()) continue;
     pattern->render(frame);
     for (std::size_t pass = 0; pass < project.passes.size(); ++pass) {
-      if (project.passes[pass].kind == PassKind::sound) continue;
+      if (!traits(project.passes[pass]).every_frame) continue;
       const int index = static_cast<int>(pass);
       const Unsteady found = compare_bits(zero->read(index), pattern->read(index), index, i);
       if (found.pixels != 0) unsteady.push_back(found);

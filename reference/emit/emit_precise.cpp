@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "host/project/kinds.h"
 #include "reference/emit/rewritten_lines.h"
 #include "reference/emit/syntax_tree.h"
 
@@ -227,7 +228,7 @@ PassSource precise_source(const Project& project, const PassSource& source) {
 Project emit_precise(const Project& project) {
   Project result = project;
   for (Pass& pass : result.passes) {
-    if (pass.kind != PassKind::sound) pass.source = emit::precise_source(project, pass.source);
+    if (traits(pass).every_frame) pass.source = emit::precise_source(project, pass.source);
   }
   return result;
 }
