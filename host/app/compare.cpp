@@ -166,7 +166,7 @@ void add_compare(CLI::App& app) {
   command->add_flag("--every-frame", options->every_frame,
                     "compare every frame, and name the first that differs");
   command->add_option("--heatmap", options->heatmap,
-                      "write a picture of where they differ (.png, .jpg or .exr)");
+                      "write a picture of where they differ: " + list_of(image_formats()));
   command
       ->add_option("--max-ulp", options->max_ulp,
                    "exit with 1 if a channel of a pass differs by more units in the last place")

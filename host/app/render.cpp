@@ -16,7 +16,6 @@
 #include "host/app/video_sound.h"
 #include "host/base/error.h"
 #include "host/image/image.h"
-#include "host/media/audio_writer.h"
 #include "host/media/video_writer.h"
 #include "host/player/inputs.h"
 #include "host/player/sound.h"
@@ -92,7 +91,7 @@ glm::ivec2 picture_size(const Project& project, int pass, const Schedule& schedu
 }
 
 void render(const RenderOptions& options) {
-  if (media::can_write_audio(options.output.name))
+  if (output_kind(options.output.name) == OutputKind::sound)
     return render_sound(options, options.duration, options.output.name);
   const Schedule schedule = make_schedule(options);
   const Project project = load(options);
@@ -159,18 +158,10 @@ void add_render(CLI::App& app) {
   const auto options = std::make_shared<RenderOptions>();
   add_play_options(*command, *options);
   add_on_option(*command, *options);
+  command->add_option("-o,--output", options->output.name, "what to write: " + output_help())->required();
   command
-      ->add_option("-o,--output", options->output.name,
-                   "what to write: .png (8 bits, as a browser's canvas shows it), .jpg, .exr (float32 RGBA, "
-                   "bit for bit) of the last frame, or with %04d in the name of every frame; .mp4 (H.264), "
-                   ".webm (VP9) or .gif (at most 50 frames a second) of all frames; the Sound pass as .wav "
-                   "(stereo, float32, 44.1 kHz) or .flac (24 bits)")
-      ->required();
-  command
-      ->add_option(
-          "--crf", options->output.crf,
-          "quality of a video, by its constant rate factor: 0 (lossless) to 51 (worst) for .mp4 (18), to "
-          "63 for .webm (24)")
+      ->add_option("--crf", options->output.crf,
+                   "quality of a video, by its constant rate factor: " + media::crf_help())
       ->check(CLI::NonNegativeNumber)
       ->default_str("");
   command
