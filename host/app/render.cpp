@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "host/app/add_option.h"
 #include "host/app/command.h"
 #include "host/app/options.h"
 #include "host/app/output.h"
@@ -29,7 +30,6 @@ using Clock = std::chrono::steady_clock;
 
 struct RenderOptions : PlayOptions {
   OutputOptions output;
-  int chroma = 420;
   double duration = sound_seconds;
 };
 
@@ -93,7 +93,7 @@ glm::ivec2 picture_size(const Project& project, int pass, const Schedule& schedu
 void render(const RenderOptions& options) {
   if (output_kind(options.output.name) == OutputKind::sound)
     return render_sound(options, options.duration, options.output.name);
-  const Schedule schedule = make_schedule(options);
+  const Schedule& schedule = options.schedule;
   const Project project = load(options);
   const int shown = chosen_pass(project, options);
   OutputOptions output_options = options.output;
@@ -156,27 +156,33 @@ void add_render(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "render", "play a shader without a window and write the picture, the video or the sound");
   const auto options = std::make_shared<RenderOptions>();
-  add_play_options(*command, *options);
+  add_project_options(*command, *options);
+  add_init_option(*command, *options);
+  add_precise_option(*command, *options);
+  add_frame_options(*command, *options);
+  add_script_options(*command, *options);
+  add_pass_option(*command, *options);
   add_on_option(*command, *options);
+  add_tile_option(*command, *options);
+  add_timeout_option(*command, *options);
+  add_json_option(*command, *options);
   command->add_option("-o,--output", options->output.name, "what to write: " + output_help())->required();
   command
       ->add_option("--crf", options->output.crf,
                    "quality of a video, by its constant rate factor: " + media::crf_help())
       ->check(CLI::NonNegativeNumber)
       ->default_str("");
-  command
-      ->add_option(
-          "--chroma", options->chroma,
-          "420: a video keeps one colour for every four pixels, as all programs can play it; 444: it "
-          "keeps all")
-      ->check(CLI::IsMember({420, 444}));
+  add_choice<bool, bool>(
+      *command, "--chroma", options->output.full_chroma, {{"420", false}, {"444", true}},
+      "420: a video keeps one colour for every four pixels, as all programs can play it; 444: it "
+      "keeps all",
+      "420");
   command->add_option("--duration", options->duration,
                       "seconds of a .wav or .flac, from --time on; the default is what shadertoy.com plays");
   command->callback([options, command] {
-    options->output.full_chroma = options->chroma == 444;
     options->output.quiet = options->quiet;
     if (command->count("--fps") == 0 && media::is_video(options->output.name))
-      options->fps = std::min(options->fps, media::highest_rate(options->output.name));
+      options->schedule.fps = std::min(options->schedule.fps, media::highest_rate(options->output.name));
     render(*options);
   });
 }

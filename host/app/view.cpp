@@ -21,31 +21,32 @@ std::string options_text(const ViewCommand& o) {
   const auto add = [&text](const std::string& option, const std::string& value) {
     text += (text.empty() ? "" : " ") + option + ' ' + view::quoted(value);
   };
-  for (const std::string& define : o.defines) add("-D", define);
-  if (!o.seed.empty()) add("--seed", o.seed);
+  for (const Define& define : o.defines) add("-D", define.first + '=' + define.second);
+  if (o.seed.has_value()) add("--seed", std::to_string(*o.seed));
   if (o.vscode_quirks) text += (text.empty() ? "" : " ") + std::string("--vscode-quirks");
-  if (o.init != "zero") add("--init", o.init);
+  if (o.init == Init::raw) add("--init", "raw");
   if (o.vr) text += text.empty() ? "--vr" : " --vr";
   return text;
 }
 
-void run(const ViewCommand& o) {
-  const Schedule schedule = make_schedule(o);
+void run(const ViewCommand& o, const CLI::App& command) {
+  refuse_for_gl(o, o.on);
+  const Schedule& schedule = o.schedule;
   view::ViewOptions options;
   options.shader = o.shader;
   options.load = make_load_options(o);
   options.size = {schedule.width, schedule.height};
   options.clock = {.t0 = schedule.t0, .rate = {}, .date = {}, .paused = o.paused};
   if (o.fixed_rate) options.clock.rate = schedule.fps;
-  if (o.fixed_rate || !o.date.empty()) options.clock.date = schedule.date;
+  if (o.fixed_rate || command.count("--date") > 0) options.clock.date = schedule.date;
   options.recording_rate = schedule.fps;
   options.pass = o.pass;
   options.output = o.output;
   options.options_text = options_text(o);
   options.quiet = o.quiet;
   options.player.rewrite = rewrite_for_gl(o);
-  if (o.on == "auto" || o.on.starts_with("auto/"))
-    options.player.dispatch = dispatch_of(o.on);
+  if (o.on.device == "auto")
+    options.player.dispatch = o.on.dispatch;
   else
     options.other_player = [o](const Project& project) { return open_player(o.on, project, o); };
   options.sound_player = [o](const Project& project) { return open_player(o.on, project, o); };
@@ -58,8 +59,14 @@ void add_view(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("view", "play a shader in a window, reloading it when its files are saved");
   const auto options = std::make_shared<ViewCommand>();
-  add_shader_options(*command, *options);
+  add_project_options(*command, *options);
+  add_init_option(*command, *options);
+  add_precise_option(*command, *options);
+  add_frame_options(*command, *options);
+  add_pass_option(*command, *options);
   add_on_option(*command, *options);
+  add_tile_option(*command, *options);
+  add_timeout_option(*command, *options);
   command->add_flag("--fixed", options->fixed_rate,
                     "time goes by frames at --fps, as render's does, instead of by the clock");
   command->add_flag("--paused", options->paused, "stop after the first frame");
@@ -67,7 +74,7 @@ void add_view(CLI::App& app) {
       "-o,--output", options->output,
       "screenshots are OUTPUT_0001.png and .exr, recordings OUTPUT_recording_0001/ (the shader's name, "
       "in this folder)");
-  command->callback([options] { run(*options); });
+  command->callback([options, command] { run(*options, *command); });
 }
 
 }  // namespace shadertwin::app

@@ -50,8 +50,7 @@ Date Date::parse(const std::string& text) {
                                         std::chrono::day(static_cast<unsigned>(date.day)));
   valid = valid && used == size && day.ok() && hours >= 0 && hours < 24 && minutes >= 0 && minutes < 60 &&
           seconds >= 0.0 && seconds < 60.0;
-  if (!valid)
-    throw Error(ExitStatus::usage, "--date " + text + ": expected YYYY-MM-DD or YYYY-MM-DDTHH:MM:SS");
+  if (!valid) throw Error(ExitStatus::usage, "expected YYYY-MM-DD or YYYY-MM-DDTHH:MM:SS");
   date.seconds = 3600.0 * hours + 60.0 * minutes + seconds;
   return date;
 }
