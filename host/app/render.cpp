@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -30,7 +31,7 @@ using Clock = std::chrono::steady_clock;
 
 struct RenderOptions : PlayOptions {
   OutputOptions output;
-  double duration = sound_seconds;
+  std::optional<double> duration;  // seconds
 };
 
 // How many frames to draw before waiting for the device: enough that it never idles, so few that the bar
@@ -92,10 +93,14 @@ glm::ivec2 picture_size(const Project& project, int pass, const Schedule& schedu
 
 void render(const RenderOptions& options) {
   if (output_kind(options.output.name) == OutputKind::sound)
-    return render_sound(options, options.duration, options.output.name);
+    return render_sound(options, options.duration.value_or(sound_seconds), options.output.name);
   const Schedule& schedule = options.schedule;
   const Project project = load(options);
   const int shown = chosen_pass(project, options);
+  if (options.tile.has_value() && static_cast<std::size_t>(shown) + 1 != project.passes.size())
+    throw Error(ExitStatus::usage,
+                "--tile is for the last pass: " + project.passes[static_cast<std::size_t>(shown)].name +
+                    " is always drawn whole");
   OutputOptions output_options = options.output;
   output_options.sound = has_sound(project);
   const auto output = open_output(output_options, picture_size(project, shown, schedule), schedule.fps);
@@ -150,6 +155,28 @@ void render(const RenderOptions& options) {
   }
 }
 
+void refuse_without_effect(const CLI::App& command, const RenderOptions& options) {
+  refuse_for_gl(options, options.on);
+  const OutputKind kind = output_kind(options.output.name);
+  if (kind == OutputKind::sound)
+    return refuse(command,
+                  {"--frames", "--size", "--fps", "--mouse", "--keys", "--pass", "--tile", "--vr", "--mute",
+                   "--precise", "--crf", "--chroma"},
+                  "has no effect on the Sound pass: " + options.output.name);
+  if (kind == OutputKind::picture)
+    refuse(command, {"--duration"}, "is for videos, numbered pictures and sounds: " + options.output.name);
+  if (kind != OutputKind::video)
+    refuse(command, {"--crf", "--chroma"}, "is for videos: " + options.output.name);
+  if (options.duration.has_value()) refuse(command, {"--frames"}, "and --duration say the same twice");
+}
+
+int frames_of(double seconds, double fps) {
+  const double frames = std::round(seconds * fps);
+  if (frames > std::numeric_limits<int>::max())
+    throw Error(ExitStatus::usage, "--duration is more than there are numbers for frames");
+  return std::max(1, static_cast<int>(frames));
+}
+
 }  // namespace
 
 void add_render(CLI::App& app) {
@@ -177,12 +204,17 @@ void add_render(CLI::App& app) {
       "420: a video keeps one colour for every four pixels, as all programs can play it; 444: it "
       "keeps all",
       "420");
-  command->add_option("--duration", options->duration,
-                      "seconds of a .wav or .flac, from --time on; the default is what shadertoy.com plays");
+  add_value(*command, "--duration", options->duration, read_rate,
+            "seconds from --time on, of a video or numbered pictures instead of --frames, or of the Sound "
+            "pass, else " +
+                std::to_string(static_cast<int>(sound_seconds)) + " as on shadertoy.com")
+      ->type_name("FLOAT");
   command->callback([options, command] {
+    refuse_without_effect(*command, *options);
     options->output.quiet = options->quiet;
     if (command->count("--fps") == 0 && media::is_video(options->output.name))
       options->schedule.fps = std::min(options->schedule.fps, media::highest_rate(options->output.name));
+    if (options->duration.has_value()) options->frames = frames_of(*options->duration, options->schedule.fps);
     render(*options);
   });
 }
