@@ -1,5 +1,7 @@
 #include "host/view/view.h"
 
+#include <set>
+
 #include "host/app/command.h"
 #include "host/app/options.h"
 #include "host/app/players.h"
@@ -15,17 +17,23 @@ struct ViewCommand : PlayOptions {
   std::string output;
 };
 
-// The options that change what a frame looks like, to be typed again.
-std::string options_text(const ViewCommand& o) {
+// What was given, to be typed again behind a command that looks into a frame.
+std::string options_text(const CLI::App& command) {
+  // view::commands_for_pixel() says those of the frame itself; the others change nothing of a pixel.
+  static const std::set<std::string> left_out = {"SHADER", "--size",    "--fps",    "--time",  "--date",
+                                                 "--pass", "--on",      "--output", "--fixed", "--paused",
+                                                 "--tile", "--timeout", "--quiet"};
   std::string text;
-  const auto add = [&text](const std::string& option, const std::string& value) {
-    text += (text.empty() ? "" : " ") + option + ' ' + view::quoted(value);
-  };
-  for (const Define& define : o.defines) add("-D", define.first + '=' + define.second);
-  if (o.seed.has_value()) add("--seed", std::to_string(*o.seed));
-  if (o.vscode_quirks) text += (text.empty() ? "" : " ") + std::string("--vscode-quirks");
-  if (o.init == Init::raw) add("--init", "raw");
-  if (o.vr) text += text.empty() ? "--vr" : " --vr";
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || left_out.contains(option->get_name())) continue;
+    const std::string name =
+        option->get_snames().empty() ? option->get_name() : '-' + option->get_snames()[0];
+    const bool is_flag = option->get_items_expected_max() == 0;
+    const bool takes_all = option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
+    const std::vector<std::string>& words = option->results();
+    for (std::size_t i = takes_all ? 0 : words.size() - 1; i < words.size(); ++i)
+      text += (text.empty() ? "" : " ") + name + (is_flag ? "" : ' ' + view::quoted(words[i]));
+  }
   return text;
 }
 
@@ -42,7 +50,7 @@ void run(const ViewCommand& o, const CLI::App& command) {
   options.recording_rate = schedule.fps;
   options.pass = o.pass;
   options.output = o.output;
-  options.options_text = options_text(o);
+  options.options_text = options_text(command);
   options.quiet = o.quiet;
   options.player.rewrite = rewrite_for_gl(o);
   if (o.on.device == "auto")

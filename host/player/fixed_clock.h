@@ -34,9 +34,15 @@ struct Date {
   int day = 1;
   double seconds = 0.0;  // since midnight
 
-  // Reads YYYY-MM-DD, or YYYY-MM-DDTHH:MM[:SS[.fraction]]. Throws Error(usage).
+  // Reads YYYY-MM-DD, or YYYY-MM-DDTHH:MM[:SS[.fraction]]. Throws Error(usage) that says so.
   static Date parse(const std::string& text);
+  // YYYY-MM-DDTHH:MM:SS[.fraction], as parse() reads it.
+  std::string text() const;
+  bool operator==(const Date&) const = default;
 };
+
+// `elapsed` seconds after `start`.
+Date later(const Date& start, double elapsed);
 
 // iDate `elapsed` seconds after `start`: the full year, month from 0, day from 1, seconds since midnight with
 // their fraction.

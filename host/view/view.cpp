@@ -275,7 +275,7 @@ class View {
     if (picture.texture == 0) return;
     const std::string pass = playing_.shows_last() ? "" : playing_.shown().name;
     const FrameCommand command{playing_.shader().string(), all_options(), options_.clock.rate.value_or(0.0),
-                               options_.clock.t0};
+                               options_.clock.t0, options_.clock.date};
     std::fputs(commands_for_pixel(command, *frame_, pass, place_in(picture, across(position)).at).c_str(),
                stdout);
     std::fflush(stdout);

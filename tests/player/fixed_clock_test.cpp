@@ -115,5 +115,12 @@ TEST(Date, RefusesWhatIsNoDate) {
   EXPECT_EQ(Date::parse("2024-02-29T01:02:03.25").seconds, 3723.25);
 }
 
+TEST(Date, TextReadsBack) {
+  for (const char* text : {"2024-01-01T00:00:00", "2025-12-31T23:59:59.5", "0999-02-03T04:05:06.125"}) {
+    EXPECT_EQ(Date::parse(text).text(), text);
+    EXPECT_EQ(Date::parse(Date::parse(text).text()), Date::parse(text));
+  }
+}
+
 }  // namespace
 }  // namespace shadertwin
