@@ -23,6 +23,7 @@ Project load_unchanged(const PlayOptions& options) {
   LoadOptions load_options = make_load_options(options);
   load_options.undefined = Undefined::raw;
   Project project = load_project(options.shader, load_options);
+  refuse_for_project(options, project);
   if (!options.quiet)
     for (const std::string& warning : project.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
   return project;
@@ -37,7 +38,7 @@ bool has_vertex_shader(const Project& project) {
                      [](const Pass& pass) { return pass.vertex.has_value(); });
 }
 
-std::vector<Finding> find(const Project& project, const PlayOptions& options, const Schedule& schedule) {
+std::vector<Finding> find(const Project& project, const PlayOptions& options) {
   check::Reading reading = check::read_rules(project);
   if (!reading.can_run) return reading.findings;
   if (has_vertex_shader(project)) {
@@ -46,7 +47,7 @@ std::vector<Finding> find(const Project& project, const PlayOptions& options, co
                    options.shader.c_str());
     return reading.findings;
   }
-  append(reading.findings, check::run_checks(project, {schedule, options.frames, options.timeout}));
+  append(reading.findings, check::run_checks(project, {options.schedule, options.frames, options.timeout}));
   return check::sorted(std::move(reading.findings));
 }
 
@@ -59,13 +60,12 @@ nlohmann::json to_json(const std::vector<Finding>& findings) {
 }
 
 void run_check(const PlayOptions& options) {
-  const Schedule schedule = make_schedule(options);
   const Project project = load_unchanged(options);
-  const std::vector<Finding> findings = find(project, options, schedule);
+  const std::vector<Finding> findings = find(project, options);
   for (const Finding& finding : findings) std::printf("%s\n", check::to_line(finding).c_str());
   if (!options.json.empty())
     write_report(options.json, {{"frames", options.frames},
-                                {"size", {schedule.width, schedule.height}},
+                                {"size", {options.schedule.width, options.schedule.height}},
                                 {"findings", to_json(findings)}});
   if (findings.empty()) return;
   std::fflush(stdout);
@@ -79,9 +79,14 @@ void add_check(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "check", "find what will not paste, not run everywhere, or is undefined: one line a finding");
   const auto options = std::make_shared<PlayOptions>();
-  options->size = "64x36";
+  options->schedule.width = 64;
+  options->schedule.height = 36;
   options->frames = 2;
-  add_play_options(*command, *options);
+  add_project_options(*command, *options);
+  add_frame_options(*command, *options);
+  add_script_options(*command, *options);
+  add_timeout_option(*command, *options);
+  add_json_option(*command, *options);
   command->callback([options] { run_check(*options); });
 }
 

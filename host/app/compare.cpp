@@ -5,19 +5,21 @@
 #include <memory>
 #include <set>
 
+#include "host/app/add_option.h"
 #include "host/app/command.h"
 #include "host/app/options.h"
 #include "host/app/players.h"
 #include "host/app/progress.h"
 #include "host/app/report.h"
 #include "host/base/error.h"
+#include "host/project/kinds.h"
 
 namespace shadertwin::app {
 
 namespace {
 
 struct CompareOptions : PlayOptions {
-  std::vector<std::string> players;
+  std::vector<DeviceChoice> players;
   std::string heatmap;
   bool every_frame = false;
   std::uint32_t max_ulp = nan_distance;  // the largest distance that passes
@@ -87,18 +89,19 @@ nlohmann::json to_json(const Project& project, const std::vector<PassDifference>
 void run_compare(const CompareOptions& options) {
   if (options.players.size() != 2)
     throw Error(ExitStatus::usage, "compare needs --on twice, once for each of the two players");
-  const Schedule schedule = make_schedule(options);
+  for (const DeviceChoice& player : options.players) refuse_for_gl(options, player);
+  const Schedule& schedule = options.schedule;
   const Project project = load(options);
   std::set<std::string> told;
   const auto a = open_player(options.players[0], project, options, &told);
   const auto b = open_player(options.players[1], project, options, &told);
-  FixedClock clock(schedule, project.dialect);
+  FixedClock clock(schedule, host_rules(project));
 
   const int only = options.pass.empty() ? -1 : chosen_pass(project, options);
   const auto measure = [&] {
     std::vector<PassDifference> passes;
     for (int i = 0; i < static_cast<int>(project.passes.size()); ++i)
-      if ((only < 0 || i == only) && project.passes[static_cast<std::size_t>(i)].kind != PassKind::sound)
+      if ((only < 0 || i == only) && traits(project.passes[static_cast<std::size_t>(i)]).every_frame)
         passes.push_back({i, shadertwin::compare(a->read(i), b->read(i))});
     return passes;
   };
@@ -147,7 +150,7 @@ void run_compare(const CompareOptions& options) {
     write_report(options.json, report);
   }
   if (!within)
-    throw Error(ExitStatus::failed, options.players[0] + " and " + options.players[1] +
+    throw Error(ExitStatus::failed, options.players[0].text + " and " + options.players[1].text +
                                         " differ by more than --max-ulp and --min-equal allow");
 }
 
@@ -157,15 +160,23 @@ void add_compare(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("compare", "play the same frames on two players and say how far they are apart");
   const auto options = std::make_shared<CompareOptions>();
-  add_play_options(*command, *options);
-  command->add_option("--on", options->players, "a player, as render takes it; give it twice")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+  add_project_options(*command, *options);
+  add_init_option(*command, *options);
+  add_precise_option(*command, *options);
+  add_frame_options(*command, *options);
+  add_script_options(*command, *options);
+  add_pass_option(*command, *options);
+  add_tile_option(*command, *options);
+  add_timeout_option(*command, *options);
+  add_json_option(*command, *options);
+  add_repeated(
+      *command, "--on", [options](const std::string& word) { options->players.push_back(read_device(word)); },
+      "a player, as render takes it; give it twice")
       ->required();
   command->add_flag("--every-frame", options->every_frame,
                     "compare every frame, and name the first that differs");
   command->add_option("--heatmap", options->heatmap,
-                      "write a picture of where they differ (.png, .jpg or .exr)");
+                      "write a picture of where they differ: " + list_of(image_formats()));
   command
       ->add_option("--max-ulp", options->max_ulp,
                    "exit with 1 if a channel of a pass differs by more units in the last place")

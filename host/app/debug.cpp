@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "host/app/add_option.h"
 #include "host/app/command.h"
 #include "host/app/options.h"
 #include "host/base/error.h"
@@ -14,33 +15,34 @@ namespace shadertwin::app {
 namespace {
 
 struct DebugOptions : PlayOptions {
-  std::string pixel;
+  glm::ivec2 pixel{0};
   std::vector<std::string> commands;  // of gdb, for use without a terminal
   bool inside = false;                // this process is the one that gdb runs
 };
 
-glm::ivec2 parse_pixel(const std::string& text, const Schedule& schedule) {
-  glm::ivec2 pixel(-1);
-  int used = 0;
-  const bool read = std::sscanf(text.c_str(), "%d,%d%n", &pixel.x, &pixel.y, &used) == 2;
-  if (!read || used != static_cast<int>(text.size()) || pixel.x < 0 || pixel.y < 0 ||
-      pixel.x >= schedule.width || pixel.y >= schedule.height)
-    throw Error(ExitStatus::usage, "--pixel " + text + ": expected X,Y inside the " +
-                                       std::to_string(schedule.width) + "x" +
-                                       std::to_string(schedule.height) + " picture");
-  return pixel;
+DeviceChoice read_twin(const std::string& text) {
+  if (text != "cpu" && text != "cpu/double") throw Error(ExitStatus::usage, "expected cpu or cpu/double");
+  return read_device(text);
+}
+
+void check_pixel(const DebugOptions& options) {
+  const Schedule& schedule = options.schedule;
+  if (options.pixel.x < schedule.width && options.pixel.y < schedule.height) return;
+  throw Error(ExitStatus::usage, "--pixel " + std::to_string(options.pixel.x) + ',' +
+                                     std::to_string(options.pixel.y) + ": expected X,Y inside the " +
+                                     std::to_string(schedule.width) + 'x' + std::to_string(schedule.height) +
+                                     " picture");
 }
 
 // What gdb runs: plays up to the pixel, with a stop in front of it.
 void play_to_the_pixel(const DebugOptions& options) {
-  const Schedule schedule = make_schedule(options);
   const Project project = load(options);
-  const glm::ivec2 pixel = parse_pixel(options.pixel, schedule);
+  const glm::ivec2 pixel = options.pixel;
   twin::TwinOptions twin_options;
-  twin_options.double_precision = options.on == "cpu/double";
+  twin_options.double_precision = options.on.double_precision;
   twin_options.stop_at = twin::Moment{chosen_pass(project, options), options.frames - 1, pixel.x, pixel.y};
   const auto player = twin::TwinPlayer::create(project, twin_options);
-  FixedClock clock(schedule, project.dialect);
+  FixedClock clock(options.schedule, host_rules(project));
   for (int i = 0; i < options.frames; ++i) player->render(clock.next());
   const Image image = player->read(twin_options.stop_at->pass);
   const float* value = image.at(pixel.x, pixel.y);
@@ -99,11 +101,16 @@ void add_debug(CLI::App& app, const std::vector<std::string>& arguments) {
   CLI::App* command =
       app.add_subcommand("debug", "stop gdb in the GLSL at one pixel: its lines, its names, its values");
   const auto options = std::make_shared<DebugOptions>();
-  options->on = "cpu";
-  add_play_options(*command, *options);
-  command->add_option("--pixel", options->pixel, "X,Y: the pixel to stop at, from the lower left")
+  options->on = read_twin("cpu");
+  add_project_options(*command, *options);
+  add_init_option(*command, *options);
+  add_precise_option(*command, *options);
+  add_frame_options(*command, *options);
+  add_script_options(*command, *options);
+  add_pass_option(*command, *options);
+  add_value(*command, "--pixel", options->pixel, read_pixel, "X,Y: the pixel to stop at, from the lower left")
       ->required();
-  command->add_option("--on", options->on, "cpu, or cpu/double")->check(CLI::IsMember({"cpu", "cpu/double"}));
+  add_value(*command, "--on", options->on, read_twin, "cpu, or cpu/double", "cpu");
   command
       ->add_option("--command", options->commands,
                    "a gdb command to run after the stop; gdb then ends by itself; may be repeated")
@@ -113,8 +120,7 @@ void add_debug(CLI::App& app, const std::vector<std::string>& arguments) {
   command->callback([options, arguments] {
     if (options->inside) return play_to_the_pixel(*options);
     // What is wrong with the shader or the options must show before gdb hides it.
-    const Schedule schedule = make_schedule(*options);
-    parse_pixel(options->pixel, schedule);
+    check_pixel(*options);
     const Project project = load(*options);
     chosen_pass(project, *options);
     become_gdb(*options, arguments);

@@ -1,6 +1,7 @@
 #include <fstream>
 #include <memory>
 
+#include "host/app/add_option.h"
 #include "host/app/command.h"
 #include "host/app/options.h"
 #include "host/base/error.h"
@@ -14,8 +15,10 @@ namespace shadertwin::app {
 
 namespace {
 
+enum class Form { html, tabs, json, cpp };
+
 struct ExportOptions : PlayOptions {
-  std::string to;
+  Form to = Form::html;
   std::string output;
 };
 
@@ -57,14 +60,23 @@ void write_cpp(const Project& project, const std::filesystem::path& folder) {
 
 void export_project(const ExportOptions& options) {
   const Project project = load(options);
-  if (options.to == "html")
-    write_text(options.output, html_player(project, title_of(options.shader)));
-  else if (options.to == "json")
-    write_text(options.output, write_json(titled(for_site(project), options.shader)));
-  else if (options.to == "tabs")
-    write_tabs(for_site(project), options.output);
-  else
-    write_cpp(project, options.output);
+  switch (options.to) {
+    case Form::html:
+      return write_text(options.output, html_player(project, title_of(options.shader)));
+    case Form::tabs:
+      return write_tabs(for_site(project), options.output);
+    case Form::json:
+      return write_text(options.output, write_json(titled(for_site(project), options.shader)));
+    case Form::cpp:
+      return write_cpp(project, options.output);
+  }
+}
+
+// What plays the export has its own sound, and its own entry points where it gets the user's text.
+void refuse_without_effect(const CLI::App& command, Form to) {
+  if (to == Form::html) return;
+  refuse(command, {"--mute", "--vscode-quirks"}, "is for --to html only");
+  if (to != Form::cpp) refuse(command, {"--init", "--vr"}, "is for --to html and --to cpp only");
 }
 
 }  // namespace
@@ -72,20 +84,23 @@ void export_project(const ExportOptions& options) {
 void add_export(CLI::App& app) {
   CLI::App* command = app.add_subcommand("export", "write a shader in a form to pass on");
   const auto options = std::make_shared<ExportOptions>();
-  add_load_options(*command, *options);
-  command
-      ->add_option(
-          "--to", options->to,
-          "html: a page that plays it in any browser, with everything inside (#paused, #time=SECONDS, "
-          "#size=WxH or #bare behind its address set it up); tabs: a folder with a text a tab to paste "
-          "into shadertoy.com, and BINDINGS.txt; json: as Shadertoy's API gives a shader; cpp: a folder with "
-          "a C++ file a pass, "
-          "as the CPU twin compiles it")
-      ->required()
-      ->check(CLI::IsMember({"html", "tabs", "json", "cpp"}));
+  add_project_options(*command, *options);
+  add_init_option(*command, *options);
+  add_choice<Form, Form>(
+      *command, "--to", options->to,
+      {{"html", Form::html}, {"tabs", Form::tabs}, {"json", Form::json}, {"cpp", Form::cpp}},
+      "html: a page that plays it in any browser, with everything inside (#paused, #time=SECONDS, "
+      "#size=WxH or #bare behind its address set it up); tabs: a folder with a text a tab to paste "
+      "into shadertoy.com, and BINDINGS.txt; json: as Shadertoy's API gives a shader; cpp: a folder with "
+      "a C++ file a pass, "
+      "as the CPU twin compiles it")
+      ->required();
   command->add_option("-o,--output", options->output, "the file to write; for tabs and cpp a new folder")
       ->required();
-  command->callback([options] { export_project(*options); });
+  command->callback([options, command] {
+    refuse_without_effect(*command, options->to);
+    export_project(*options);
+  });
 }
 
 }  // namespace shadertwin::app

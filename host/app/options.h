@@ -1,11 +1,14 @@
-// The options that every subcommand which takes a shader shares.
+// The options that subcommands share, as typed values, in groups: a subcommand adds the groups that it
+// honours, so that it refuses what it would ignore.
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <functional>
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "host/app/values.h"
 #include "host/player/fixed_clock.h"
 #include "host/project/project.h"
 
@@ -13,53 +16,49 @@ namespace shadertwin::app {
 
 struct PlayOptions {
   std::string shader;
-  std::string on = "auto";
-  std::string size = "640x360";
-  int frames = 1;
-  double fps = 60.0;
-  double time = 0.0;
-  std::string date;
-  std::vector<std::string> mouse;
-  std::vector<std::string> keys;
-  std::vector<std::string> defines;
-  std::string pass;
-  std::string media;
-  std::string dialect;
-  std::string json;
-  std::string tile;
-  double timeout = 0.0;
-  bool quiet = false;
-  bool precise = false;
-  bool mute = false;
+  std::vector<Define> defines;
+  std::optional<unsigned> seed;
   bool vr = false;
-  std::string seed;
-  std::string init = "zero";
+  std::string media;
+  std::optional<Dialect> dialect;
+  bool mute = false;
   bool vscode_quirks = false;
+  bool quiet = false;
+  Undefined init = Undefined::zero;
+  bool precise = false;
+  Schedule schedule;
+  int frames = 1;
+  std::string pass;
+  DeviceChoice on;
+  std::optional<Region> tile;
+  double timeout = 0.0;  // seconds; 0: never
+  std::string json;
 };
 
-// SHADER and the options that change what is loaded.
-void add_load_options(CLI::App& command, PlayOptions& options);
-// Those and the options of every subcommand that plays a shader.
-void add_shader_options(CLI::App& command, PlayOptions& options);
-// Those and how many frames, with what mouse and keys. `on` is left out for subcommands that name their
-// players otherwise.
-void add_play_options(CLI::App& command, PlayOptions& options);
+// SHADER and what changes how it is loaded, for every subcommand; --quiet too.
+void add_project_options(CLI::App& command, PlayOptions& options);
+void add_init_option(CLI::App& command, PlayOptions& options);
+void add_precise_option(CLI::App& command, PlayOptions& options);
+// Size and time of the frames.
+void add_frame_options(CLI::App& command, PlayOptions& options);
+// How many frames, with what mouse and keys.
+void add_script_options(CLI::App& command, PlayOptions& options);
+void add_pass_option(CLI::App& command, PlayOptions& options);
 void add_on_option(CLI::App& command, PlayOptions& options);
+void add_timeout_option(CLI::App& command, PlayOptions& options);
+void add_tile_option(CLI::App& command, PlayOptions& options);
+void add_json_option(CLI::App& command, PlayOptions& options);
 
-// A rectangle of pixels from the lower left.
-struct TileRegion {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
-};
-// Reads X,Y,WIDTH,HEIGHT. Throws Error(usage).
-TileRegion parse_tile(const std::string& text);
+// Throws Error(usage), "NAME WHY", if one of the options was given.
+void refuse(const CLI::App& command, std::initializer_list<const char*> names, const std::string& why);
+// Throws Error(usage) if there is an option that only the twin has and a player of OpenGL that would ignore
+// it.
+void refuse_for_gl(const PlayOptions& options, const DeviceChoice& on);
+// Throws Error(usage) for an option that has no effect on the loaded project.
+void refuse_for_project(const PlayOptions& options, const Project& project);
 
-// All three throw Error(usage) on a value that makes no sense.
-Schedule make_schedule(const PlayOptions& options);
 LoadOptions make_load_options(const PlayOptions& options);
-// Index of the pass that --pass names, or of the last one.
+// Index of the pass that --pass names, or of the last one. Throws Error(usage) if there is none of that name.
 int chosen_pass(const Project& project, const PlayOptions& options);
 
 // Loads the project and prints its warnings unless --quiet.

@@ -5,6 +5,7 @@
 
 #include "host/base/error.h"
 #include "host/base/output_file.h"
+#include "host/media/audio_writer.h"
 #include "host/media/video_writer.h"
 
 namespace shadertwin::app {
@@ -70,9 +71,30 @@ class Video final : public Output {
 
 }  // namespace
 
+OutputKind output_kind(const std::string& name) {
+  if (media::is_video(name)) return OutputKind::video;
+  if (media::can_write_audio(name)) return OutputKind::sound;
+  if (!can_write(name)) {
+    std::vector<OutputFormat> all = image_formats();
+    for (const auto& more : {media::video_formats(), media::audio_formats()})
+      all.insert(all.end(), more.begin(), more.end());
+    throw Error(ExitStatus::usage, name + ": the output must end in " + list_of(all));
+  }
+  const auto numbers = std::distance(std::sregex_iterator(name.begin(), name.end(), number_pattern()), {});
+  if (numbers > 1) throw Error(ExitStatus::usage, name + ": only one %d can be numbered");
+  return numbers == 1 ? OutputKind::pictures : OutputKind::picture;
+}
+
+std::string output_help() {
+  return list_of(image_formats(), true) + " of the last frame, or with %04d in the name of every frame; " +
+         list_of(media::video_formats(), true) + " of all frames; the Sound pass as " +
+         list_of(media::audio_formats(), true);
+}
+
 std::unique_ptr<Output> open_output(const OutputOptions& options, glm::ivec2 size, double fps) {
   const std::string& name = options.name;
-  if (media::is_video(name))
+  const OutputKind kind = output_kind(name);
+  if (kind == OutputKind::video)
     return std::make_unique<Video>(options,
                                    media::VideoSettings{.width = size.x,
                                                         .height = size.y,
@@ -80,14 +102,7 @@ std::unique_ptr<Output> open_output(const OutputOptions& options, glm::ivec2 siz
                                                         .crf = options.crf,
                                                         .full_chroma = options.full_chroma,
                                                         .sample_rate = options.sound ? sound_rate : 0});
-  if (!can_write(name))
-    throw Error(ExitStatus::usage,
-                name + ": the output must end in .png, .jpg, .exr, .mp4, .webm, .gif, .wav or .flac");
-  if (options.crf >= 0 || options.full_chroma)
-    throw Error(ExitStatus::usage, name + ": --crf and --chroma are for .mp4 and .webm");
-  const auto numbers = std::distance(std::sregex_iterator(name.begin(), name.end(), number_pattern()), {});
-  if (numbers > 1) throw Error(ExitStatus::usage, name + ": only one %d can be numbered");
-  if (numbers == 1) return std::make_unique<NumberedPictures>(name);
+  if (kind == OutputKind::pictures) return std::make_unique<NumberedPictures>(name);
   return std::make_unique<LastPicture>(name);
 }
 

@@ -11,6 +11,18 @@
 
 namespace shadertwin::app {
 
+// What becomes of the frames.
+enum class OutputKind {
+  picture,   // the last one: a.png
+  pictures,  // a numbered one for every frame: frame_%04d.png
+  video,
+  sound  // none: the Sound pass is heard
+};
+// By the name. Throws Error(usage) for one that nothing can be written to.
+OutputKind output_kind(const std::string& name);
+// The names that there are, for people.
+std::string output_help();
+
 struct OutputOptions {
   std::string name;  // as -o gives it
   int crf = -1;      // of a video; below 0: its format's default
@@ -34,9 +46,8 @@ class Output {
   virtual void finish() = 0;
 };
 
-// One picture for the last frame (a.png), a numbered one for every frame (frame_%04d.png), or a video. Throws
-// Error(usage) for a name or options that make no sense, Error(file) if it can't be written, and
-// Error(device) if this machine lacks an encoder: all of it before the work, not after.
+// Any kind but sound. Throws Error(usage) for options that the format can't have, Error(file) if it can't be
+// written, and Error(device) if this machine lacks an encoder: all of it before the work, not after.
 std::unique_ptr<Output> open_output(const OutputOptions& options, glm::ivec2 size, double fps);
 
 }  // namespace shadertwin::app

@@ -2,10 +2,12 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "host/app/add_option.h"
 #include "host/app/command.h"
 #include "host/app/options.h"
 #include "host/app/output.h"
@@ -16,10 +18,10 @@
 #include "host/app/video_sound.h"
 #include "host/base/error.h"
 #include "host/image/image.h"
-#include "host/media/audio_writer.h"
 #include "host/media/video_writer.h"
 #include "host/player/inputs.h"
 #include "host/player/sound.h"
+#include "host/project/kinds.h"
 
 namespace shadertwin::app {
 
@@ -29,8 +31,7 @@ using Clock = std::chrono::steady_clock;
 
 struct RenderOptions : PlayOptions {
   OutputOptions output;
-  int chroma = 420;
-  double duration = sound_seconds;
+  std::optional<double> duration;  // seconds
 };
 
 // How many frames to draw before waiting for the device: enough that it never idles, so few that the bar
@@ -85,17 +86,21 @@ double milliseconds(Clock::duration time) {
 }
 
 glm::ivec2 picture_size(const Project& project, int pass, const Schedule& schedule) {
-  if (project.passes[static_cast<std::size_t>(pass)].kind == PassKind::cubemap)
-    return {cubemap_pass_size, 6 * cubemap_pass_size};
+  const PassTraits& kind = traits(project.passes[static_cast<std::size_t>(pass)]);
+  if (kind.side != 0) return {kind.side, kind.faces * kind.side};
   return {schedule.width, schedule.height};
 }
 
 void render(const RenderOptions& options) {
-  if (media::can_write_audio(options.output.name))
-    return render_sound(options, options.duration, options.output.name);
-  const Schedule schedule = make_schedule(options);
+  if (output_kind(options.output.name) == OutputKind::sound)
+    return render_sound(options, options.duration.value_or(sound_seconds), options.output.name);
+  const Schedule& schedule = options.schedule;
   const Project project = load(options);
   const int shown = chosen_pass(project, options);
+  if (options.tile.has_value() && static_cast<std::size_t>(shown) + 1 != project.passes.size())
+    throw Error(ExitStatus::usage,
+                "--tile is for the last pass: " + project.passes[static_cast<std::size_t>(shown)].name +
+                    " is always drawn whole");
   OutputOptions output_options = options.output;
   output_options.sound = has_sound(project);
   const auto output = open_output(output_options, picture_size(project, shown, schedule), schedule.fps);
@@ -103,7 +108,7 @@ void render(const RenderOptions& options) {
   std::optional<VideoSound> sound;
   if (output->wants_sound()) sound.emplace(project, schedule, *player);
 
-  FixedClock clock(schedule, project.dialect);
+  FixedClock clock(schedule, host_rules(project));
   Batch batch;
   const auto start = Clock::now();
   auto first_drawn = start;
@@ -132,7 +137,7 @@ void render(const RenderOptions& options) {
   if (!options.json.empty()) {
     nlohmann::json passes = nlohmann::json::array();
     for (std::size_t i = 0; i < project.passes.size(); ++i)
-      if (project.passes[i].kind != PassKind::sound) {
+      if (traits(project.passes[i]).every_frame) {
         nlohmann::json entry = {{"name", project.passes[i].name}};
         entry.update(statistics(player->read(static_cast<int>(i))));
         passes.push_back(entry);
@@ -150,41 +155,66 @@ void render(const RenderOptions& options) {
   }
 }
 
+void refuse_without_effect(const CLI::App& command, const RenderOptions& options) {
+  refuse_for_gl(options, options.on);
+  const OutputKind kind = output_kind(options.output.name);
+  if (kind == OutputKind::sound)
+    return refuse(command,
+                  {"--frames", "--size", "--fps", "--mouse", "--keys", "--pass", "--tile", "--vr", "--mute",
+                   "--precise", "--crf", "--chroma"},
+                  "has no effect on the Sound pass: " + options.output.name);
+  if (kind == OutputKind::picture)
+    refuse(command, {"--duration"}, "is for videos, numbered pictures and sounds: " + options.output.name);
+  if (kind != OutputKind::video)
+    refuse(command, {"--crf", "--chroma"}, "is for videos: " + options.output.name);
+  if (options.duration.has_value()) refuse(command, {"--frames"}, "and --duration say the same twice");
+}
+
+int frames_of(double seconds, double fps) {
+  const double frames = std::round(seconds * fps);
+  if (frames > std::numeric_limits<int>::max())
+    throw Error(ExitStatus::usage, "--duration is more than there are numbers for frames");
+  return std::max(1, static_cast<int>(frames));
+}
+
 }  // namespace
 
 void add_render(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "render", "play a shader without a window and write the picture, the video or the sound");
   const auto options = std::make_shared<RenderOptions>();
-  add_play_options(*command, *options);
+  add_project_options(*command, *options);
+  add_init_option(*command, *options);
+  add_precise_option(*command, *options);
+  add_frame_options(*command, *options);
+  add_script_options(*command, *options);
+  add_pass_option(*command, *options);
   add_on_option(*command, *options);
+  add_tile_option(*command, *options);
+  add_timeout_option(*command, *options);
+  add_json_option(*command, *options);
+  command->add_option("-o,--output", options->output.name, "what to write: " + output_help())->required();
   command
-      ->add_option("-o,--output", options->output.name,
-                   "what to write: .png (8 bits, as a browser's canvas shows it), .jpg, .exr (float32 RGBA, "
-                   "bit for bit) of the last frame, or with %04d in the name of every frame; .mp4 (H.264), "
-                   ".webm (VP9) or .gif (at most 50 frames a second) of all frames; the Sound pass as .wav "
-                   "(stereo, float32, 44.1 kHz) or .flac (24 bits)")
-      ->required();
-  command
-      ->add_option(
-          "--crf", options->output.crf,
-          "quality of a video, by its constant rate factor: 0 (lossless) to 51 (worst) for .mp4 (18), to "
-          "63 for .webm (24)")
+      ->add_option("--crf", options->output.crf,
+                   "quality of a video, by its constant rate factor: " + media::crf_help())
       ->check(CLI::NonNegativeNumber)
       ->default_str("");
-  command
-      ->add_option(
-          "--chroma", options->chroma,
-          "420: a video keeps one colour for every four pixels, as all programs can play it; 444: it "
-          "keeps all")
-      ->check(CLI::IsMember({420, 444}));
-  command->add_option("--duration", options->duration,
-                      "seconds of a .wav or .flac, from --time on; the default is what shadertoy.com plays");
+  add_choice<bool, bool>(
+      *command, "--chroma", options->output.full_chroma, {{"420", false}, {"444", true}},
+      "420: a video keeps one colour for every four pixels, as all programs can play it; 444: it "
+      "keeps all",
+      "420");
+  add_value(*command, "--duration", options->duration, read_rate,
+            "seconds from --time on, of a video or numbered pictures instead of --frames, or of the Sound "
+            "pass, else " +
+                std::to_string(static_cast<int>(sound_seconds)) + " as on shadertoy.com")
+      ->type_name("FLOAT");
   command->callback([options, command] {
-    options->output.full_chroma = options->chroma == 444;
+    refuse_without_effect(*command, *options);
     options->output.quiet = options->quiet;
     if (command->count("--fps") == 0 && media::is_video(options->output.name))
-      options->fps = std::min(options->fps, media::highest_rate(options->output.name));
+      options->schedule.fps = std::min(options->schedule.fps, media::highest_rate(options->output.name));
+    if (options->duration.has_value()) options->frames = frames_of(*options->duration, options->schedule.fps);
     render(*options);
   });
 }

@@ -22,7 +22,7 @@ constexpr double max_seconds = 3.0 * 3600.0;
 }  // namespace
 
 void render_sound(const PlayOptions& options, double seconds, const std::string& output) {
-  const Schedule schedule = make_schedule(options);
+  const Schedule& schedule = options.schedule;
   if (!(seconds > 0.0) || seconds > max_seconds || std::abs(schedule.t0) > max_seconds ||
       schedule.t0 + seconds > max_seconds)
     throw Error(ExitStatus::usage, "--duration must be above 0, and the sound end within three hours");

@@ -9,6 +9,7 @@
 #include "host/image/image.h"
 #include "host/player/inputs.h"
 #include "host/player/rounds.h"
+#include "host/project/kinds.h"
 #include "host/text/render.h"
 
 namespace shadertwin {
@@ -17,9 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array kind_names = {"none",     "texture", "cubemap", "volume", "pass",
-                                   "keyboard", "music",   "video",   "webcam", "microphone"};
-constexpr std::array pass_kind_names = {"image", "buffer", "cubemap", "sound"};
 // WebGL's names.
 constexpr std::array min_names = {"NEAREST",
                                   "LINEAR",
@@ -64,7 +62,7 @@ class Describer {
       if (const Input input = bound_input(pass, i); input.wanted() != InputKind::none)
         inputs.push_back(describe(input, static_cast<int>(i)));
     return {{"name", pass.name},
-            {"kind", name_of(pass_kind_names, pass.kind)},
+            {"kind", traits(pass).name},
             {"pictures", pictures},
             {"keyboard", pass.keyboard},
             {"vertex", pass.vertex ? describe(*pass.vertex, Target::vertex) : Json()},
@@ -95,26 +93,18 @@ class Describer {
   Json describe(const Input& input, int channel) {
     Texture texture;
     Json media = Json::array();
-    switch (input.kind) {
-      case InputKind::texture:
-      case InputKind::cubemap:
-      case InputKind::volume:
-        texture = load_texture(input);
-        media = add_picture(input, texture);
-        break;
-      case InputKind::music:
-      case InputKind::video:
-        media.push_back(add(input.files.front().string(), [&] { return data_url(input.files.front()); }));
-        break;
-      default:
-        break;
+    if (info(input.kind).source == InputSource::files) {
+      texture = load_texture(input);
+      media = add_picture(input, texture);
+    } else if (!input.files.empty()) {
+      media.push_back(add(input.files.front().string(), [&] { return data_url(input.files.front()); }));
     }
     const glm::vec3 size =
         channel_size(project_, input, texture.width == 0 ? nullptr : &texture, glm::ivec2(0));
     const Sampler& sampler = input.sampler;
     return {{"channel", channel},
-            {"kind", name_of(kind_names, input.kind)},
-            {"missing", name_of(kind_names, input.missing)},
+            {"kind", info(input.kind).name},
+            {"missing", info(input.missing).name},
             {"pass", input.pass},
             {"media", media},
             {"size", {size.x, size.y, size.z}},

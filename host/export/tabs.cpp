@@ -5,6 +5,7 @@
 #include "host/base/error.h"
 #include "host/export/export.h"
 #include "host/export/output_folder.h"
+#include "host/project/kinds.h"
 #include "host/project/write_json.h"
 
 namespace shadertwin {
@@ -87,8 +88,7 @@ class TabsWriter {
       const std::string channel = "iChannel" + std::to_string(i);
       Json& settings = settings_[name][channel];
       const std::string what = describe(input, settings);
-      const bool sampled = input.kind != InputKind::keyboard && input.kind != InputKind::music &&
-                           input.kind != InputKind::microphone;
+      const bool sampled = info(input.kind).has_settings;
       if (sampled) {
         settings["filter"] = filter_name(input.sampler);
         settings["wrap"] = wrap_name(input.sampler.wrap);
@@ -107,44 +107,25 @@ class TabsWriter {
   }
 
   std::string describe(const Input& input, Json& settings) {
-    switch (input.kind) {
-      case InputKind::pass:
-        settings["buffer"] = name_of(project_.passes[static_cast<std::size_t>(input.pass)]);
-        return settings["buffer"];
-      case InputKind::cubemap: {
-        std::string list;
-        for (const fs::path& face : input.files) {
-          settings["cubemap"].push_back(add_file(face));
-          list += (list.empty() ? "" : ", ") + add_file(face);
-        }
-        return "cubemap " + list;
-      }
-      case InputKind::texture:
-        return file_input("texture", input, settings);
-      case InputKind::volume:
-        return file_input("volume", input, settings);
-      case InputKind::music:
-        return file_input("music", input, settings);
-      case InputKind::video:
-        return file_input("video", input, settings);
-      case InputKind::keyboard:
-        settings["keyboard"] = true;
-        return "keyboard";
-      case InputKind::webcam:
-        settings["webcam"] = true;
-        return "webcam";
-      case InputKind::microphone:
-        settings["microphone"] = true;
-        return "microphone";
-      case InputKind::none:
-        break;
+    const InputKindInfo& kind = info(input.kind);
+    const std::string name(kind.name);
+    Json& value = settings[name];
+    if (kind.source == InputSource::pass) {
+      value = name_of(project_.passes[static_cast<std::size_t>(input.pass)]);
+      return value;
     }
-    return "";
-  }
-
-  std::string file_input(const std::string& kind, const Input& input, Json& settings) {
-    settings[kind] = add_file(input.files.front());
-    return kind + " " + settings[kind].get<std::string>();
+    if (kind.files == 0) {
+      value = true;
+      return name;
+    }
+    std::string list;
+    Json files = Json::array();
+    for (const fs::path& file : input.files) {
+      files.push_back(add_file(file));
+      list += (list.empty() ? "" : ", ") + add_file(file);
+    }
+    value = kind.files == 1 ? files.front() : files;
+    return name + ' ' + list;
   }
 
   Project project_;

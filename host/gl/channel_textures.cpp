@@ -1,6 +1,8 @@
 #include "host/gl/channel_textures.h"
 
 #include "host/player/inputs.h"
+#include "host/player/keyboard.h"
+#include "host/project/kinds.h"
 
 namespace shadertwin::gl {
 
@@ -8,22 +10,21 @@ namespace {
 
 // The target that the shader's sampler of an empty channel looks at.
 GLenum target_of_empty(const Input& input) {
-  if (input.missing == InputKind::cubemap) return GL_TEXTURE_CUBE_MAP;
-  return input.missing == InputKind::volume ? GL_TEXTURE_3D : GL_TEXTURE_2D;
+  const SamplerShape shape = info(input.missing).shape;
+  if (shape == SamplerShape::cube) return GL_TEXTURE_CUBE_MAP;
+  return shape == SamplerShape::volume ? GL_TEXTURE_3D : GL_TEXTURE_2D;
 }
 
 }  // namespace
 
 ChannelTexture ChannelTextures::load(const Input& input) {
-  switch (input.kind) {
-    case InputKind::texture:
-    case InputKind::cubemap:
-    case InputKind::volume: {
+  switch (info(input.kind).source) {
+    case InputSource::files: {
       const Picture& loaded = picture(input);
       return {{texture_target(loaded.texture), loaded.object.name()},
               channel_size(project_, input, &loaded.texture, {0, 0})};
     }
-    case InputKind::keyboard:
+    case InputSource::keyboard:
       return {keyboard(), channel_size(project_, input, nullptr, {0, 0})};
     default:
       break;
@@ -42,11 +43,7 @@ ChannelTexture ChannelTextures::load(const Input& input) {
 
 BoundTexture ChannelTextures::keyboard() {
   if (keyboard_.name() == 0) {
-    Texture blank;
-    blank.width = 256;
-    blank.height = project_.dialect == Dialect::shadertoy ? 3 : 4;
-    blank.data.resize(blank.texel_bytes() * 256 * static_cast<std::size_t>(blank.height));
-    keyboard_ = upload(gl_, blank, false);
+    keyboard_ = upload(gl_, keyboard_texture({}, rules_), false);
   }
   return {GL_TEXTURE_2D, keyboard_.name()};
 }
@@ -76,7 +73,7 @@ ChannelTextures::Picture& ChannelTextures::picture(const Input& input) {
 
 BoundTexture ChannelTextures::unbound(GLenum target) {
   TextureObject& object = unbound_[target];
-  if (object.name() == 0) object = make_unbound(gl_, target, project_.vscode_quirks ? 0 : 255);
+  if (object.name() == 0) object = make_unbound(gl_, target, rules_.empty_alpha);
   return {target, object.name()};
 }
 
@@ -85,20 +82,12 @@ BoundTexture ChannelTextures::missing_pass() {
   return {GL_TEXTURE_2D, missing_pass_.name()};
 }
 
-// The site's texture has one channel (g = b = 0), the extension's is grey; alpha is 1 in both.
 void ChannelTextures::upload_keyboard(const Frame& frame) {
   if (keyboard_.name() == 0) return;
-  const bool site = project_.dialect == Dialect::shadertoy;
-  const int rows = site ? 3 : 4;
-  std::vector<std::uint8_t> texels;
-  texels.reserve(std::size_t{256} * 4 * 4);
-  for (std::size_t i = 0; i < std::size_t{256} * static_cast<std::size_t>(rows); ++i) {
-    const std::uint8_t value = frame.keyboard[i];
-    const std::uint8_t other = site ? std::uint8_t{0} : value;
-    texels.insert(texels.end(), {value, other, other, 255});
-  }
+  const Texture texture = keyboard_texture(frame.keyboard, rules_);
   gl_.BindTexture(GL_TEXTURE_2D, keyboard_.name());
-  gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 256, rows, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+  gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, texture.width, texture.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                    texture.data.data());
 }
 
 void ChannelTextures::upload_again(const Moving& moving, const Texture& texture) {

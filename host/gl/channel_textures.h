@@ -8,6 +8,7 @@
 #include "host/gl/objects.h"
 #include "host/gl/textures.h"
 #include "host/player/moving_input.h"
+#include "host/project/host_rules.h"
 
 namespace shadertwin::gl {
 
@@ -20,7 +21,7 @@ struct ChannelTexture {
 class ChannelTextures {
  public:
   ChannelTextures(const Functions& gl, const Project& project)
-      : gl_(gl), project_(project), moving_(project) {}
+      : gl_(gl), project_(project), rules_(host_rules(project)), moving_(project) {}
 
   // Loads what is bound to a channel, any kind of input but a pass; each file goes to the GPU once. Throws
   // Error(file).
@@ -49,6 +50,7 @@ class ChannelTextures {
 
   const Functions& gl_;
   const Project& project_;
+  HostRules rules_;
   std::map<GLenum, TextureObject> unbound_;
   std::map<std::string, Picture> pictures_;
   MovingInputs moving_;

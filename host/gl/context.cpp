@@ -16,6 +16,15 @@ namespace {
 // is current.
 thread_local Context* current = nullptr;
 
+// N of "egl:N".
+std::optional<int> egl_index(const std::string& name) {
+  if (!name.starts_with("egl:")) return std::nullopt;
+  int index = -1;
+  const char* const end = name.data() + name.size();
+  const auto [rest, failure] = std::from_chars(name.data() + 4, end, index);
+  return failure == std::errc() && rest == end && index >= 0 ? std::optional(index) : std::nullopt;
+}
+
 }  // namespace
 
 Context::~Context() {
@@ -65,20 +74,15 @@ void Context::load(const std::function<void*(const char*)>& get_proc_address, st
            .compute = version >= 31 && functions_.DispatchCompute != nullptr};
 }
 
+bool is_device_name(const std::string& name) {
+  return name == "auto" || name == "egl" || name == "osmesa" || egl_index(name).has_value();
+}
+
 std::unique_ptr<Context> open_context(const std::string& name) {
+  if (!is_device_name(name))
+    throw Error(ExitStatus::usage, name + ": unknown device (auto, egl, egl:N with N from 0, or osmesa)");
   if (name == "osmesa") return open_osmesa();
-  if (name == "egl") return open_egl(std::nullopt);
-  if (name.starts_with("egl:")) {
-    int index = -1;
-    const char* end = name.data() + name.size();
-    const auto [rest, failure] = std::from_chars(name.data() + 4, end, index);
-    if (failure != std::errc() || rest != end || index < 0)
-      throw Error(ExitStatus::usage, "--on " + name + ": expected egl:N with N from 0");
-    return open_egl(index);
-  }
-  if (name != "auto")
-    throw Error(ExitStatus::usage,
-                "--on " + name + ": unknown player (auto, egl, egl:N, osmesa, cpu or cpu/double)");
+  if (name != "auto") return open_egl(egl_index(name));
   try {
     return open_egl(std::nullopt);
   } catch (const Error& no_egl) {

@@ -54,6 +54,8 @@ class Context {
 // hardware; auto falls back to OSMesa. Throws Error(device) if it can't be had, Error(usage) for an unknown
 // name.
 std::unique_ptr<Context> open_context(const std::string& name);
+// Whether open_context() knows the name; the device need not be there.
+bool is_device_name(const std::string& name);
 
 // What this machine can run on, in the order of the numbers N of "egl:N", OSMesa last. Devices that don't
 // open are left out; `problems` (if given) gets one line for each of them.

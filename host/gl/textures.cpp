@@ -89,6 +89,11 @@ SamplerObject make_sampler(const Functions& gl, const Sampler& sampler) {
       GL_LINEAR_MIPMAP_LINEAR,
   };
   static constexpr std::array<GLint, 3> wraps = {GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT};
+  static_assert(
+      min_filters[static_cast<std::size_t>(MinFilter::nearest_mipmap_linear)] == GL_NEAREST_MIPMAP_LINEAR &&
+      min_filters[static_cast<std::size_t>(MinFilter::linear_mipmap_linear)] == GL_LINEAR_MIPMAP_LINEAR);
+  static_assert(wraps[static_cast<std::size_t>(Wrap::clamp)] == GL_CLAMP_TO_EDGE &&
+                wraps[static_cast<std::size_t>(Wrap::mirror)] == GL_MIRRORED_REPEAT);
   SamplerObject object(gl);
   const auto set = [&](GLenum what, GLint value) { gl.SamplerParameteri(object.name(), what, value); };
   const GLint wrap = wraps[static_cast<std::size_t>(sampler.wrap)];

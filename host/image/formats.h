@@ -9,10 +9,10 @@
 
 namespace shadertwin {
 
-enum class FileKind { unknown, exr, png, jpeg };
+enum class FileKind { exr, png, jpeg };
 
 struct PictureToWrite {
-  FileKind kind = FileKind::unknown;  // .exr takes floats, the others bytes
+  FileKind kind = FileKind::png;  // .exr takes floats, the others bytes
   int width = 0;
   int height = 0;
   int channels = 4;            // that are written; there are always four

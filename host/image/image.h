@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "host/base/output_format.h"
+
 namespace shadertwin {
 
 // Float32 RGBA pixels. Row 0 is the bottom row, as in OpenGL: pixel (x, y) is the one whose gl_FragCoord is
@@ -65,6 +67,8 @@ std::uint8_t canvas_byte(float value);
 // be written.
 void write_image(const Image& image, const std::filesystem::path& file);
 
+// What write_image writes.
+std::vector<OutputFormat> image_formats();
 // Whether write_image knows this extension.
 bool can_write(const std::filesystem::path& file);
 

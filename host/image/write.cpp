@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -15,15 +15,23 @@ namespace fs = std::filesystem;
 
 namespace {
 
-FileKind kind_of(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension == ".exr") return FileKind::exr;
-  if (extension == ".png") return FileKind::png;
-  if (extension == ".jpg" || extension == ".jpeg") return FileKind::jpeg;
-  return FileKind::unknown;
+std::string write_by_openimageio(const PictureToWrite& picture, const fs::path& file) {
+  return formats().write(picture, file);
 }
+
+struct ImageFormat : OutputFormat {
+  FileKind kind;
+  bool is_float;  // else a byte a channel
+  bool has_alpha;
+  std::string (*write)(const PictureToWrite& picture, const fs::path& file);
+};
+
+constexpr std::array<ImageFormat, 4> image_table = {{
+    {{".png", "8 bits, as a browser's canvas shows it"}, FileKind::png, false, true, write_png},
+    {{".jpg", ""}, FileKind::jpeg, false, false, write_by_openimageio},
+    {{".jpeg", ""}, FileKind::jpeg, false, false, write_by_openimageio},
+    {{".exr", "float32 RGBA, bit for bit"}, FileKind::exr, true, true, write_by_openimageio},
+}};
 
 std::vector<std::uint8_t> to_bytes(const Image& image) {
   std::vector<std::uint8_t> bytes(image.rgba.size());
@@ -45,28 +53,31 @@ std::uint8_t canvas_byte(float value) {
   return static_cast<std::uint8_t>(std::min(255.0, std::floor(255.0 * value + 0.5)));
 }
 
+std::vector<OutputFormat> image_formats() {
+  return output_formats(image_table);
+}
+
 bool can_write(const fs::path& file) {
-  return kind_of(file) != FileKind::unknown;
+  return find_format(image_table, file) != nullptr;
 }
 
 void write_image(const Image& image, const fs::path& file) {
-  const FileKind kind = kind_of(file);
-  if (kind == FileKind::unknown)
-    throw Error(ExitStatus::usage, file.string() + ": pictures are written as .png, .jpg or .exr");
+  const ImageFormat* const format = find_format(image_table, file);
+  if (format == nullptr)
+    throw Error(ExitStatus::usage, file.string() + ": pictures are written as " + list_of(image_formats()));
   if (image.width < 1 || image.height < 1)
     throw Error(ExitStatus::file, file.string() + ": the picture is empty");
 
   PictureToWrite picture{
-      .kind = kind, .width = image.width, .height = image.height, .rgba = image.rgba.data()};
+      .kind = format->kind, .width = image.width, .height = image.height, .rgba = image.rgba.data()};
   std::vector<std::uint8_t> bytes;
-  if (kind != FileKind::exr) {
+  if (!format->is_float) {
     bytes = to_bytes(image);
-    picture.channels = kind == FileKind::png && !is_opaque(bytes) ? 4 : 3;
+    picture.channels = format->has_alpha && !is_opaque(bytes) ? 4 : 3;
     picture.rgba = bytes.data();
   }
   OutputFile target(file);
-  std::string reason =
-      kind == FileKind::png ? write_png(picture, target.path()) : formats().write(picture, target.path());
+  std::string reason = format->write(picture, target.path());
   if (!reason.empty()) {
     std::replace(reason.begin(), reason.end(), '\n', ' ');
     throw Error(ExitStatus::file, file.string() + ": " + reason);

@@ -1,6 +1,7 @@
 #include "host/media/audio_writer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <new>
 #include <string>
@@ -15,21 +16,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Format {
-  const char* extension;
+struct AudioFormat : OutputFormat {
   AVCodecID codec;
   AVSampleFormat samples;
 };
 
-const Format* format_of(const fs::path& file) {
-  static constexpr Format wav{"wav", AV_CODEC_ID_PCM_F32LE, AV_SAMPLE_FMT_FLT};
-  static constexpr Format flac{"flac", AV_CODEC_ID_FLAC, AV_SAMPLE_FMT_S32};
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension == ".wav") return &wav;
-  return extension == ".flac" ? &flac : nullptr;
-}
+constexpr std::array<AudioFormat, 2> formats = {{
+    {{".wav", "stereo, float32, 44.1 kHz"}, AV_CODEC_ID_PCM_F32LE, AV_SAMPLE_FMT_FLT},
+    {{".flac", "24 bits"}, AV_CODEC_ID_FLAC, AV_SAMPLE_FMT_S32},
+}};
 
 // 24 bits, at the upper end of 32.
 std::int32_t whole(float value) {
@@ -40,7 +35,7 @@ std::int32_t whole(float value) {
 }  // namespace
 
 struct AudioWriter::State {
-  State(const fs::path& file, const Format& kind, int rate)
+  State(const fs::path& file, const AudioFormat& kind, int rate)
       : output(file), format(kind), muxer(output.path(), file.generic_string()), encoder(open_encoder(rate)) {
     muxer.begin();
     frame_size = encoder.context().frame_size > 0 ? encoder.context().frame_size : 4096;
@@ -50,7 +45,7 @@ struct AudioWriter::State {
     const AVCodec* codec = avcodec_find_encoder(format.codec);
     if (codec == nullptr)
       throw Error(ExitStatus::device,
-                  std::string("libav was built without an encoder for .") + format.extension);
+                  "libav was built without an encoder for " + std::string(format.extension));
     return Encoder(muxer, *codec, [&](AVCodecContext& context) {
       context.sample_fmt = format.samples;
       context.sample_rate = rate;
@@ -80,7 +75,7 @@ struct AudioWriter::State {
   }
 
   OutputFile output;
-  Format format;
+  const AudioFormat& format;
   Muxer muxer;
   Encoder encoder;
   std::vector<float> waiting;  // less than a frame
@@ -88,14 +83,18 @@ struct AudioWriter::State {
   std::int64_t samples = 0;
 };
 
+std::vector<OutputFormat> audio_formats() {
+  return output_formats(formats);
+}
+
 bool can_write_audio(const fs::path& file) {
-  return format_of(file) != nullptr;
+  return find_format(formats, file) != nullptr;
 }
 
 AudioWriter::AudioWriter(const fs::path& file, int rate) {
-  const Format* format = format_of(file);
+  const AudioFormat* format = find_format(formats, file);
   if (format == nullptr)
-    throw Error(ExitStatus::usage, file.generic_string() + ": sound goes into .wav or .flac");
+    throw Error(ExitStatus::usage, file.generic_string() + ": sound goes into " + list_of(audio_formats()));
   state_ = std::make_unique<State>(file, *format, rate);
 }
 

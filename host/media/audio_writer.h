@@ -4,9 +4,14 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <vector>
+
+#include "host/base/output_format.h"
 
 namespace shadertwin::media {
 
+// What AudioWriter writes.
+std::vector<OutputFormat> audio_formats();
 // Whether AudioWriter knows this extension.
 bool can_write_audio(const std::filesystem::path& file);
 

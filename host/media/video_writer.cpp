@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -25,57 +24,61 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct VideoFormat {
-  std::string_view extension;
+struct VideoFormat : OutputFormat {
   std::string_view codec;  // for people
   std::array<const char*, 2> encoders;
-  const char* sound_encoder;
-  int crf;
+  const char* sound_encoder;  // null: there is no sound in it
+  int crf;                    // by default; below 0: there is none, and no choice of chroma
   int worst_crf;
   int largest_side;
   double highest_rate;
+  bool has_palette;    // and times in hundredths of a second, as GIF
+  bool is_mp4;         // the container
+  bool halves_chroma;  // without full_chroma the sides have to be even
 };
 
 constexpr std::array<VideoFormat, 3> formats = {{
-    {".mp4", "H.264", {"libx264", "mpeg4"}, "aac", 18, 51, 16384, 1000.0},
-    {".webm", "VP9", {"libvpx-vp9", nullptr}, "libopus", 24, 63, 16384, 1000.0},
-    {".gif", "GIF", {"gif", nullptr}, nullptr, -1, -1, 65535, 50.0},
+    {{".mp4", "H.264"}, "H.264", {"libx264", "mpeg4"}, "aac", 18, 51, 16384, 1000.0, false, true, true},
+    // VP9 has a size for itself; H.264 can only cut off whole pairs of pixels.
+    {{".webm", "VP9"}, "VP9", {"libvpx-vp9", nullptr}, "libopus", 24, 63, 16384, 1000.0, false, false, false},
+    {{".gif", "at most 50 frames a second"},
+     "GIF",
+     {"gif", nullptr},
+     nullptr,
+     -1,
+     -1,
+     65535,
+     50.0,
+     true,
+     false,
+     false},
 }};
-
-const VideoFormat* find_format(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const auto found = std::find_if(formats.begin(), formats.end(),
-                                  [&](const VideoFormat& format) { return format.extension == extension; });
-  return found == formats.end() ? nullptr : &*found;
-}
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why) {
   throw Error(ExitStatus::usage, file.string() + ": " + why);
 }
 
 const VideoFormat& check(const fs::path& file, const VideoSettings& s) {
-  const VideoFormat* const format = find_format(file);
-  if (format == nullptr) refuse(file, "videos are written as .mp4, .webm or .gif");
+  const VideoFormat* const format = find_format(formats, file);
+  if (format == nullptr) refuse(file, "videos are written as " + list_of(video_formats()));
   if (s.width < 1 || s.height < 1 || std::max(s.width, s.height) > format->largest_side)
     refuse(file, std::string(format->codec) + " has at most " + std::to_string(format->largest_side) +
                      " pixels to a side");
   if (!(s.fps > 0.0) || s.fps > format->highest_rate) {
-    const bool gif = format->extension == ".gif";
-    refuse(file, std::string(gif ? "a GIF" : format->codec) + " plays at most " +
+    refuse(file, "a video in " + std::string(format->codec) + " plays at most " +
                      std::to_string(static_cast<int>(format->highest_rate)) +
                      " frames a second: choose another --fps");
   }
   if (s.fps < 0.01) refuse(file, "a frame lasts at most 100 seconds in a video: choose another --fps");
   if (format->crf < 0 && (s.crf >= 0 || s.full_chroma))
-    refuse(file, "--crf and --chroma are for .mp4 and .webm");
+    refuse(file, "--crf and --chroma are not for " + std::string(format->extension));
   if (s.crf > format->worst_crf)
     refuse(file, "--crf goes from 0 (lossless) to " + std::to_string(format->worst_crf) + " for " +
                      std::string(format->codec));
-  // VP9 has a size for itself; H.264 can only cut off whole pairs of pixels.
-  if (format->extension == ".mp4" && !s.full_chroma && (s.width % 2 != 0 || s.height % 2 != 0))
-    refuse(file, "H.264 needs an even width and height, not " + std::to_string(s.width) + "x" +
-                     std::to_string(s.height) + ": choose another --size, --chroma 444 or .webm");
+  if (format->halves_chroma && !s.full_chroma && (s.width % 2 != 0 || s.height % 2 != 0))
+    refuse(file, std::string(format->codec) + " needs an even width and height, not " +
+                     std::to_string(s.width) + "x" + std::to_string(s.height) +
+                     ": choose another --size, --chroma 444 or .webm");
   return *format;
 }
 
@@ -113,7 +116,7 @@ class VideoWriterImpl final : public VideoWriter {
     encoder_.emplace(muxer_, codec, [&](AVCodecContext& context) { configure(context); });
     encoder_->stream().avg_frame_rate = rate_;
     encoder_->stream().r_frame_rate = rate_;
-    if (is_gif())
+    if (format_.has_palette)
       palette_.emplace(settings.width, settings.height);
     else
       converter_.emplace(encoder_->context());
@@ -121,12 +124,12 @@ class VideoWriterImpl final : public VideoWriter {
       const AVCodec& sound = find_encoder(file, format_, {format_.sound_encoder}, warnings_);
       sound_.emplace(muxer_, sound, settings.sample_rate);
     }
-    if (format_.extension == ".mp4") configure_mp4(muxer_.context());
+    if (format_.is_mp4) configure_mp4(muxer_.context());
     muxer_.begin();
   }
 
   void add(const Image& picture) override {
-    const AVFrame& frame = is_gif() ? palette_->convert(picture) : converter_->convert(picture);
+    const AVFrame& frame = format_.has_palette ? palette_->convert(picture) : converter_->convert(picture);
     FramePointer numbered(av_frame_clone(&frame));
     if (!numbered) throw std::bad_alloc();
     numbered->pts = time_of(frames_);
@@ -144,7 +147,7 @@ class VideoWriterImpl final : public VideoWriter {
   void finish() override {
     encoder_->encode(nullptr, frame_ticks_);
     if (sound_) sound_->finish();
-    if (is_gif())
+    if (format_.has_palette)
       av_opt_set_int(muxer_.context().priv_data, "final_delay", time_of(frames_) - time_of(frames_ - 1), 0);
     muxer_.end();
     target_.commit();
@@ -153,11 +156,9 @@ class VideoWriterImpl final : public VideoWriter {
   const std::vector<std::string>& warnings() const override { return warnings_; }
 
  private:
-  bool is_gif() const { return format_.extension == ".gif"; }
-
   // Of the frame's start, in the encoder's time base.
   std::int64_t time_of(std::int64_t frame) const {
-    if (is_gif()) return av_rescale_q_rnd(frame, av_inv_q(rate_), {1, 100}, AV_ROUND_NEAR_INF);
+    if (format_.has_palette) return av_rescale_q_rnd(frame, av_inv_q(rate_), {1, 100}, AV_ROUND_NEAR_INF);
     return frame * frame_ticks_;
   }
 
@@ -166,7 +167,7 @@ class VideoWriterImpl final : public VideoWriter {
     c.height = settings_.height;
     c.framerate = rate_;
     c.sample_aspect_ratio = {1, 1};
-    if (is_gif()) {
+    if (format_.has_palette) {
       c.pix_fmt = AV_PIX_FMT_PAL8;
       c.time_base = {1, 100};
       return;
@@ -223,12 +224,25 @@ class VideoWriterImpl final : public VideoWriter {
 
 }  // namespace
 
+std::vector<OutputFormat> video_formats() {
+  return output_formats(formats);
+}
+
+std::string crf_help() {
+  std::string text;
+  for (const VideoFormat& format : formats)
+    if (format.crf >= 0)
+      text += (text.empty() ? "" : ", ") + std::string(format.extension) + " from 0 (lossless) to " +
+              std::to_string(format.worst_crf) + " (worst), else " + std::to_string(format.crf);
+  return text;
+}
+
 bool is_video(const fs::path& file) {
-  return find_format(file) != nullptr;
+  return find_format(formats, file) != nullptr;
 }
 
 double highest_rate(const fs::path& file) {
-  const VideoFormat* const format = find_format(file);
+  const VideoFormat* const format = find_format(formats, file);
   return format == nullptr ? 0.0 : format->highest_rate;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "host/base/output_format.h"
 #include "host/image/image.h"
 
 namespace shadertwin::media {
@@ -22,6 +23,11 @@ struct VideoSettings {
   // libav's names of the encoders to try, in this order; empty: those of the format.
   std::vector<std::string> encoders = {};
 };
+
+std::vector<OutputFormat> video_formats();
+
+// What VideoSettings::crf may be, format by format, for people.
+std::string crf_help();
 
 // Whether the extension is one of a video: .mp4 (H.264 and AAC), .webm (VP9 and Opus) or .gif.
 bool is_video(const std::filesystem::path& file);

@@ -11,6 +11,7 @@
 #include "host/media/analyser.h"
 #include "host/media/audio_file.h"
 #include "host/media/microphone.h"
+#include "host/project/host_rules.h"
 
 namespace shadertwin {
 
@@ -34,7 +35,7 @@ Bytes silence() {
 
 class AudioTexture : public MovingInput {
  public:
-  explicit AudioTexture(bool grey) : grey_(grey) {
+  explicit AudioTexture(const HostRules& rules) : grey_(rules.grey_tables) {
     texture_.width = static_cast<int>(columns);
     texture_.height = 2;
     texture_.data.resize(2 * columns * texture_.texel_bytes(), std::byte{255});
@@ -104,11 +105,11 @@ class Preview final : public AudioTexture {
   double time_ = 0.0;
 };
 
-// The last samples at the time of a frame, analysed as on a page that plays them. Of the extension's spectrum
-// there are half as many bins as columns.
+// The last samples at the time of a frame, analysed as on a page that plays them. A spectrum has
+// half as many bins as samples, which may be fewer than columns.
 class Listener {
  public:
-  explicit Listener(Dialect dialect) : analyser_(dialect == Dialect::vscode ? columns : 2048) {}
+  explicit Listener(const HostRules& rules) : analyser_(static_cast<std::size_t>(rules.analysed_samples)) {}
 
   std::size_t size() const { return analyser_.size(); }
   void reset() { analyser_.reset(); }
@@ -128,10 +129,10 @@ class Listener {
 
 class Music final : public AudioTexture {
  public:
-  Music(const std::filesystem::path& file, Dialect dialect)
-      : AudioTexture(dialect == Dialect::vscode),
+  Music(const std::filesystem::path& file, const HostRules& rules)
+      : AudioTexture(rules),
         file_(file, sound_rate),
-        listener_(dialect),
+        listener_(rules),
         stereo_(2 * listener_.size()),
         mono_(listener_.size()) {}
 
@@ -157,11 +158,8 @@ class Music final : public AudioTexture {
 
 class LiveSound final : public AudioTexture {
  public:
-  LiveSound(std::unique_ptr<media::Microphone> microphone, Dialect dialect)
-      : AudioTexture(dialect == Dialect::vscode),
-        microphone_(std::move(microphone)),
-        listener_(dialect),
-        mono_(listener_.size()) {}
+  LiveSound(std::unique_ptr<media::Microphone> microphone, const HostRules& rules)
+      : AudioTexture(rules), microphone_(std::move(microphone)), listener_(rules), mono_(listener_.size()) {}
 
   double time() const override { return 0.0; }  // as on shadertoy.com
 
@@ -180,17 +178,17 @@ class LiveSound final : public AudioTexture {
 
 std::unique_ptr<MovingInput> open_audio_input(const Project& project, const Input& input,
                                               std::vector<std::string>& warnings) {
-  const bool grey = project.dialect == Dialect::vscode;
-  if (project.muted) return std::make_unique<Preview>(grey);
-  if (input.kind == InputKind::music) return std::make_unique<Music>(input.files.front(), project.dialect);
+  const HostRules rules = host_rules(project);
+  if (project.muted) return std::make_unique<Preview>(rules);
+  if (!input.files.empty()) return std::make_unique<Music>(input.files.front(), rules);
   if (input.kind == InputKind::microphone) {
     std::string why;
     if (auto microphone = media::Microphone::open(sound_rate, why))
-      return std::make_unique<LiveSound>(std::move(microphone), project.dialect);
+      return std::make_unique<LiveSound>(std::move(microphone), rules);
     warnings.push_back("warning: there is no microphone (" + why +
                        "): the channel is silent (--mute gives shadertoy.com's preview)");
   }
-  return std::make_unique<Silence>(grey);
+  return std::make_unique<Silence>(rules);
 }
 
 }  // namespace shadertwin

@@ -1,5 +1,7 @@
 #include "host/player/fixed_clock.h"
 
+#include <array>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -14,17 +16,33 @@ constexpr double seconds_per_day = 86400.0;
 
 }  // namespace
 
-glm::vec4 shader_date(const Date& start, double elapsed) {
+Date later(const Date& start, double elapsed) {
   using namespace std::chrono;
   const double total = start.seconds + elapsed;
   const double days_passed = std::floor(total / seconds_per_day);
   const year_month_day date = sys_days(year(start.year) / month(static_cast<unsigned>(start.month)) /
                                        day(static_cast<unsigned>(start.day))) +
                               days(static_cast<int>(days_passed));
-  return {static_cast<float>(static_cast<int>(date.year())),
-          static_cast<float>(static_cast<unsigned>(date.month())) - 1.0F,
-          static_cast<float>(static_cast<unsigned>(date.day())),
-          static_cast<float>(total - days_passed * seconds_per_day)};
+  return {static_cast<int>(date.year()), static_cast<int>(static_cast<unsigned>(date.month())),
+          static_cast<int>(static_cast<unsigned>(date.day())), total - days_passed * seconds_per_day};
+}
+
+glm::vec4 shader_date(const Date& start, double elapsed) {
+  const Date date = later(start, elapsed);
+  return {static_cast<float>(date.year), static_cast<float>(date.month) - 1.0F, static_cast<float>(date.day),
+          static_cast<float>(date.seconds)};
+}
+
+std::string Date::text() const {
+  const int minutes = static_cast<int>(seconds / 60.0);
+  const double rest = seconds - 60.0 * minutes;
+  std::array<char, 32> start{};
+  std::snprintf(start.data(), start.size(), "%04d-%02d-%02dT%02d:%02d:%s", year, month, day, minutes / 60,
+                minutes % 60, rest < 10.0 ? "0" : "");
+  std::array<char, 64> digits{};
+  const auto [end, failure] =
+      std::to_chars(digits.data(), digits.data() + digits.size(), rest, std::chars_format::fixed);
+  return start.data() + std::string(digits.data(), end);
 }
 
 Date Date::parse(const std::string& text) {
@@ -50,8 +68,7 @@ Date Date::parse(const std::string& text) {
                                         std::chrono::day(static_cast<unsigned>(date.day)));
   valid = valid && used == size && day.ok() && hours >= 0 && hours < 24 && minutes >= 0 && minutes < 60 &&
           seconds >= 0.0 && seconds < 60.0;
-  if (!valid)
-    throw Error(ExitStatus::usage, "--date " + text + ": expected YYYY-MM-DD or YYYY-MM-DDTHH:MM:SS");
+  if (!valid) throw Error(ExitStatus::usage, "expected YYYY-MM-DD or YYYY-MM-DDTHH:MM:SS");
   date.seconds = 3600.0 * hours + 60.0 * minutes + seconds;
   return date;
 }
@@ -89,9 +106,7 @@ Frame FixedClock::next() {
   frame.index = index_;
   const double elapsed = index_ / schedule_.fps;
   frame.time = schedule_.t0 + elapsed;
-  // shadertoy.com's first frame says 1/60, the extension's 0.
-  const double first_delta = quirks_ ? 0.0 : 1.0 / 60.0;
-  frame.time_delta = index_ == 0 ? first_delta : 1.0 / schedule_.fps;
+  frame.time_delta = index_ == 0 ? first_time_delta_ : 1.0 / schedule_.fps;
   frame.frame_rate = schedule_.fps;
   frame.date = shader_date(schedule_.date, elapsed);
   frame.mouse = mouse_.next_frame();

@@ -34,9 +34,15 @@ struct Date {
   int day = 1;
   double seconds = 0.0;  // since midnight
 
-  // Reads YYYY-MM-DD, or YYYY-MM-DDTHH:MM[:SS[.fraction]]. Throws Error(usage).
+  // Reads YYYY-MM-DD, or YYYY-MM-DDTHH:MM[:SS[.fraction]]. Throws Error(usage) that says so.
   static Date parse(const std::string& text);
+  // YYYY-MM-DDTHH:MM:SS[.fraction], as parse() reads it.
+  std::string text() const;
+  bool operator==(const Date&) const = default;
 };
+
+// `elapsed` seconds after `start`.
+Date later(const Date& start, double elapsed);
 
 // iDate `elapsed` seconds after `start`: the full year, month from 0, day from 1, seconds since midnight with
 // their fraction.
@@ -50,16 +56,15 @@ struct Schedule {
   Date date;                     // at t0
   std::vector<MouseStep> mouse;  // by frame
   std::vector<KeyStep> keys;
-  bool vscode_quirks = false;  // of the extension's projects: iMouse and the first iTimeDelta as it has them
 };
 
 class FixedClock {
  public:
-  FixedClock(Schedule schedule, Dialect dialect)
+  FixedClock(Schedule schedule, const HostRules& rules)
       : schedule_(std::move(schedule)),
-        quirks_(schedule_.vscode_quirks && dialect == Dialect::vscode),
-        mouse_(quirks_),
-        keyboard_(dialect) {}
+        first_time_delta_(rules.idle_time_delta),
+        mouse_(rules),
+        keyboard_(rules) {}
 
   // Frame 0, 1, 2 ...
   Frame next();
@@ -68,7 +73,7 @@ class FixedClock {
   void move_keys();
 
   Schedule schedule_;
-  bool quirks_;
+  double first_time_delta_;
   Mouse mouse_;
   Keyboard keyboard_;
   FlyCamera camera_;

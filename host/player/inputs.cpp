@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "host/project/host_rules.h"
+
 namespace shadertwin {
 
 namespace {
@@ -22,16 +24,21 @@ void keep_red(Texture& texture) {
   }
 }
 
+glm::vec3 size_of(const Texture* texture) {
+  return texture == nullptr ? glm::vec3(0.0F) : glm::vec3(texture->width, texture->height, texture->depth);
+}
+
 }  // namespace
 
 Texture load_texture(const Input& input) {
-  if (input.kind == InputKind::cubemap) {
+  const SamplerShape shape = info(input.kind).shape;
+  if (shape == SamplerShape::cube) {
     std::vector<std::filesystem::path> faces = input.files;
     // A cube that is turned over has its top at the bottom.
     if (input.sampler.vflip && faces.size() == 6) std::swap(faces[2], faces[3]);
     return read_cubemap(faces, input.sampler.vflip);
   }
-  if (input.kind == InputKind::volume) return read_volume(input.files.front());
+  if (shape == SamplerShape::volume) return read_volume(input.files.front());
   Texture texture = read_texture(input.files.front(), input.sampler.vflip);
   if (input.red_only) keep_red(texture);
   return texture;
@@ -39,43 +46,41 @@ Texture load_texture(const Input& input) {
 
 Input bound_input(const Pass& pass, std::size_t channel) {
   const Input& input = pass.inputs[channel];
-  if (pass.kind != PassKind::sound || input.kind == InputKind::texture || input.kind == InputKind::volume)
-    return input;
+  const InputKindInfo& kind = info(input.kind);
+  const bool still = kind.source == InputSource::files;
+  if (traits(pass).every_frame || (still && kind.shape != SamplerShape::cube)) return input;
   Input empty;
-  if (input.wanted() == InputKind::cubemap) empty.missing = InputKind::cubemap;
+  if (info(input.wanted()).shape == SamplerShape::cube) empty.missing = input.wanted();
   return empty;
 }
 
 glm::vec3 channel_size(const Project& project, const Input& input, const Texture* texture,
                        glm::ivec2 frame_size) {
-  const bool site = project.dialect == Dialect::shadertoy;
-  switch (input.wanted()) {
-    case InputKind::none:
+  const HostRules rules = host_rules(project);
+  const InputKindInfo& kind = info(input.wanted());
+  switch (kind.source) {
+    case InputSource::nothing:
       return glm::vec3(0.0F);
-    case InputKind::texture:
-    case InputKind::volume:
-    case InputKind::video:
-    case InputKind::webcam:
-      return texture == nullptr ? glm::vec3(0.0F)
-                                : glm::vec3(texture->width, texture->height, texture->depth);
-    case InputKind::cubemap:
-      return site || input.kind == InputKind::none ? glm::vec3(0.0F) : glm::vec3(0.0F, 0.0F, 1.0F);
-    case InputKind::pass:
+    case InputSource::moving:
+      if (kind.is_audio) return rules.sound_has_size ? glm::vec3(512, 2, 1) : glm::vec3(0.0F);
+      return size_of(texture);
+    case InputSource::files:
+      if (kind.shape != SamplerShape::cube) return size_of(texture);
+      return rules.cubemap_has_size && input.kind != InputKind::none ? glm::vec3(0.0F, 0.0F, 1.0F)
+                                                                     : glm::vec3(0.0F);
+    case InputSource::pass: {
       if (input.kind == InputKind::none) return glm::vec3(0.0F);
-      return project.passes[static_cast<std::size_t>(input.pass)].kind == PassKind::cubemap
-                 ? glm::vec3(cubemap_pass_size, cubemap_pass_size, 1)
-                 : glm::vec3(frame_size, 1);
-    case InputKind::keyboard:
-      return glm::vec3(256, site ? 3 : 4, 1);
-    case InputKind::music:
-    case InputKind::microphone:
-      return site ? glm::vec3(512, 2, 1) : glm::vec3(0.0F);
+      const int side = traits_of_source(project, input).side;
+      return side != 0 ? glm::vec3(side, side, 1) : glm::vec3(frame_size, 1);
+    }
+    case InputSource::keyboard:
+      return glm::vec3(256, rules.keyboard_rows, 1);
   }
   return glm::vec3(0.0F);
 }
 
 Project with_shared_samplers(Project project) {
-  if (project.dialect != Dialect::shadertoy) return project;
+  if (!host_rules(project).shared_samplers) return project;
   std::map<int, Wrap> wraps;  // by the pass that is read
   for (const Pass& pass : project.passes)
     for (const Input& input : pass.inputs)
@@ -95,17 +100,17 @@ Project with_shared_samplers(Project project) {
 }
 
 std::vector<bool> passes_with_history(const Project& project) {
+  const HostRules rules = host_rules(project);
   const int count = static_cast<int>(project.passes.size());
   std::vector<bool> history(project.passes.size(), false);
   for (int reader = 0; reader < count; ++reader)
     for (const Input& input : project.passes[static_cast<std::size_t>(reader)].inputs)
       if (input.kind == InputKind::pass &&
-          (input.pass == reader || (input.pass > reader && !project.vscode_quirks)))
+          (input.pass == reader || (input.pass > reader && !rules.swaps_after_frame)))
         history[static_cast<std::size_t>(input.pass)] = true;
-  if (project.dialect == Dialect::shadertoy)
+  if (rules.keeps_previous_pictures)
     for (std::size_t i = 0; i < history.size(); ++i)
-      if (project.passes[i].kind == PassKind::buffer || project.passes[i].kind == PassKind::cubemap)
-        history[i] = true;
+      if (traits(project.passes[i]).keeps_previous) history[i] = true;
   return history;
 }
 

@@ -5,12 +5,9 @@
 #include <vector>
 
 #include "host/image/image.h"
-#include "host/project/project.h"
+#include "host/project/kinds.h"
 
 namespace shadertwin {
-
-// Width and height of every face of a cubemap pass (shadertoy.com).
-constexpr int cubemap_pass_size = 1024;
 
 // Reads the file or files of a texture or cubemap input. Throws Error(file).
 Texture load_texture(const Input& input);

@@ -18,8 +18,8 @@ void Keyboard::press(int code) {
 void Keyboard::release(int code) {
   if (code < 0 || code > 255 || cell(0, code) == 0) return;
   cell(0, code) = 0;
-  // On shadertoy.com a tap between two frames shows only in the toggle row.
-  if (dialect_ == Dialect::shadertoy) cell(1, code) = 0;
+  // Without this a tap between two frames shows only in the toggle row.
+  if (!keeps_taps_) cell(1, code) = 0;
   cell(3, code) = 255;
 }
 
@@ -27,6 +27,20 @@ void Keyboard::end_frame() {
   const auto row = [this](int i) { return rows_.begin() + 256 * i; };
   std::fill(row(1), row(2), std::uint8_t{0});
   std::fill(row(3), rows_.end(), std::uint8_t{0});
+}
+
+Texture keyboard_texture(const Keyboard::Rows& rows, const HostRules& rules) {
+  Texture texture;
+  texture.width = 256;
+  texture.height = rules.keyboard_rows;
+  const std::size_t count = std::size_t{256} * static_cast<std::size_t>(texture.height);
+  texture.data.reserve(4 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto value = static_cast<std::byte>(rows[i]);
+    const std::byte other = rules.grey_tables ? value : std::byte{0};
+    texture.data.insert(texture.data.end(), {value, other, other, std::byte{255}});
+  }
+  return texture;
 }
 
 std::optional<int> key_code(std::string_view name) {

@@ -7,7 +7,8 @@
 #include <optional>
 #include <string_view>
 
-#include "host/project/project.h"
+#include "host/image/image.h"
+#include "host/project/host_rules.h"
 
 namespace shadertwin {
 
@@ -17,7 +18,7 @@ class Keyboard {
  public:
   using Rows = std::array<std::uint8_t, std::size_t{256} * 4>;
 
-  explicit Keyboard(Dialect dialect) : dialect_(dialect) {}
+  explicit Keyboard(const HostRules& rules) : keeps_taps_(rules.keeps_taps) {}
 
   void press(int code);  // repeats of a key that is held are ignored
   void release(int code);
@@ -29,9 +30,12 @@ class Keyboard {
  private:
   std::uint8_t& cell(int row, int code) { return rows_[static_cast<std::size_t>(row * 256 + code)]; }
 
-  Dialect dialect_;
+  bool keeps_taps_;
   Rows rows_{};
 };
+
+// What a shader reads of the rows: 256 texels wide, HostRules::keyboard_rows high, 8 bits a channel.
+Texture keyboard_texture(const Keyboard::Rows& rows, const HostRules& rules);
 
 // Code of a key by name, without regard to case: a letter or digit, or space, enter, escape, tab, backspace,
 // shift, ctrl, alt, left, up, right, down, pageup, pagedown, home, end, insert, delete, f1 to f12, or a

@@ -28,12 +28,8 @@ Moment Moment::now() {
   return moment;
 }
 
-LiveClock::LiveClock(LiveSettings settings, Dialect dialect)
-    : settings_(settings),
-      dialect_(dialect),
-      mouse_(settings_.vscode_quirks && dialect == Dialect::vscode),
-      keyboard_(dialect),
-      time_(settings_.t0) {}
+LiveClock::LiveClock(LiveSettings settings, const HostRules& rules)
+    : settings_(settings), rules_(rules), mouse_(rules), keyboard_(rules), time_(settings_.t0) {}
 
 void LiveClock::set_paused(bool paused) {
   if (settings_.paused && !paused) resumed_ = true;
@@ -54,7 +50,7 @@ void LiveClock::reset() {
 }
 
 void LiveClock::restart_frames() {
-  if (dialect_ == Dialect::vscode) index_ = -1;
+  if (rules_.recounts_frames) index_ = -1;
   force();
 }
 
@@ -63,10 +59,10 @@ void LiveClock::set_recording(std::optional<double> rate) {
   recording_ = rate;
 }
 
-void LiveClock::set_dialect(Dialect dialect) {
-  dialect_ = dialect;
-  mouse_ = Mouse(settings_.vscode_quirks && dialect == Dialect::vscode);
-  keyboard_ = Keyboard(dialect);
+void LiveClock::restart(const HostRules& rules) {
+  rules_ = rules;
+  mouse_ = Mouse(rules);
+  keyboard_ = Keyboard(rules);
   reset();
 }
 
@@ -74,8 +70,7 @@ Frame LiveClock::next(const Moment& now, glm::ivec2 size) {
   const std::optional<double> rate = recording_.has_value() ? recording_ : settings_.rate;
   const double step = rate.has_value() ? 1.0 / *rate : usual_delta;
   const bool still = settings_.paused && !stepped_;  // a forced frame
-  const bool quirks = settings_.vscode_quirks && dialect_ == Dialect::vscode;
-  double delta = quirks && (first_ || still) ? 0.0 : usual_delta;
+  double delta = first_ || still ? rules_.idle_time_delta : usual_delta;
   if (first_) {
     fixed_index_ = 0;
   } else if (!still) {

@@ -27,12 +27,11 @@ struct LiveSettings {
   std::optional<double> rate = {};
   std::optional<Date> date = {};  // at t0; not given: the wall clock's
   bool paused = false;            // after the first frame
-  bool vscode_quirks = false;     // as Schedule::vscode_quirks
 };
 
 class LiveClock {
  public:
-  LiveClock(LiveSettings settings, Dialect dialect);
+  LiveClock(LiveSettings settings, const HostRules& rules);
 
   // What a hand does goes in here, between frames.
   Mouse& mouse() { return mouse_; }
@@ -49,13 +48,13 @@ class LiveClock {
   void step();
   // Goes back to frame 0 at t0, and with the camera to where it started. Key toggles and the mouse stay.
   void reset();
-  // What a changed shader or size means: shadertoy.com goes on, the extension counts frames from 0 again (its
-  // time goes on).
+  // What a changed shader or size means: time goes on, and so do the frames unless
+  // HostRules::recounts_frames.
   void restart_frames();
   // While set, time goes by frames of 1 / rate, for a smooth recording.
   void set_recording(std::optional<double> rate);
-  // Another project, perhaps of another dialect, from its frame 0.
-  void set_dialect(Dialect dialect);
+  // Another project, perhaps with other rules, from its frame 0.
+  void restart(const HostRules& rules);
 
   // Whether a frame is to be drawn now.
   bool due() const { return !settings_.paused || forced_ || stepped_ || first_; }
@@ -74,7 +73,7 @@ class LiveClock {
   void measure_rate(double now);
 
   LiveSettings settings_;
-  Dialect dialect_;
+  HostRules rules_;
   Mouse mouse_;
   Keyboard keyboard_;
   FlyCamera camera_;

@@ -12,7 +12,7 @@ glm::vec2 to_pixel(glm::dvec2 position, glm::ivec2 size) {
 }  // namespace
 
 void Mouse::press(glm::dvec2 position, glm::ivec2 size) {
-  position_ = pressed_at_ = quirks_ ? glm::vec2(position) : to_pixel(position, size);
+  position_ = pressed_at_ = rules_.keeps_mouse_fractions ? glm::vec2(position) : to_pixel(position, size);
   released_ = false;
   look_ = glm::dvec2(0.0);
   down_ = pressed_ = true;
@@ -20,20 +20,21 @@ void Mouse::press(glm::dvec2 position, glm::ivec2 size) {
 
 void Mouse::move(glm::dvec2 position, glm::ivec2 size) {
   if (!down_) return;
-  position_ = quirks_ ? glm::vec2(position) : to_pixel(position, size);
+  position_ = rules_.keeps_mouse_fractions ? glm::vec2(position) : to_pixel(position, size);
   look_ = 2.0 * position / glm::dvec2(size) - 1.0;
 }
 
 void Mouse::release() {
   released_ = down_ && !pressed_;
   down_ = false;
-  if (quirks_) pressed_ = false;
+  if (rules_.mouse_release_counts) pressed_ = false;
   look_ = glm::dvec2(0.0);
 }
 
 glm::vec4 Mouse::next_frame() {
-  const glm::vec4 value(position_, down_ ? pressed_at_.x : -pressed_at_.x,
-                        pressed_ || (quirks_ && released_) ? pressed_at_.y : -pressed_at_.y);
+  const glm::vec4 value(
+      position_, down_ ? pressed_at_.x : -pressed_at_.x,
+      pressed_ || (rules_.mouse_release_counts && released_) ? pressed_at_.y : -pressed_at_.y);
   pressed_ = released_ = false;
   return value;
 }

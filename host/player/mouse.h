@@ -1,21 +1,18 @@
-// iMouse as shadertoy.com computes it from what a hand does.
+// iMouse as its host computes it from what a hand does.
 #pragma once
 
 #include <glm/glm.hpp>
 
+#include "host/project/host_rules.h"
+
 namespace shadertwin {
 
-// Positions are window pixels with y up; they are floored and kept inside the picture. Events come in between
-// frames; next_frame() gives the value that one frame sees.
+// Positions are window pixels with y up; by the site's rules they are floored and kept inside the picture.
+// Events come in between frames; next_frame() gives the value that one frame sees.
 class Mouse {
  public:
-  // vscode_quirks: as the extension "Shader Toy" computes it, not the site: nothing is floored or clamped,
-  // all is -1 at first, and w is positive also on the first frame after the release.
-  explicit Mouse(bool vscode_quirks = false) : quirks_(vscode_quirks) {
-    if (!quirks_) return;
-    position_ = glm::vec2(-1.0F);
-    pressed_at_ = glm::vec2(1.0F);  // shown as -1
-  }
+  explicit Mouse(const HostRules& rules)
+      : rules_(rules), position_(rules.first_mouse), pressed_at_(0.0F - rules.first_mouse) {}
 
   void press(glm::dvec2 position, glm::ivec2 size);
   void move(glm::dvec2 position, glm::ivec2 size);  // counts only while a button is down
@@ -30,10 +27,10 @@ class Mouse {
   glm::vec4 next_frame();
 
  private:
-  glm::vec2 position_{0.0F};
-  glm::vec2 pressed_at_{0.0F};
+  HostRules rules_;
+  glm::vec2 position_;
+  glm::vec2 pressed_at_;  // shown negative while no button is down
   glm::dvec2 look_{0.0};
-  bool quirks_;
   bool down_ = false;
   bool pressed_ = false;   // since the last frame
   bool released_ = false;  // likewise, if it was seen pressed

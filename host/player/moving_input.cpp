@@ -2,6 +2,7 @@
 
 #include "host/player/audio_input.h"
 #include "host/player/video_input.h"
+#include "host/project/kinds.h"
 
 namespace shadertwin {
 
@@ -15,17 +16,10 @@ MovingInput* MovingInputs::open(const Input& input) {
 }
 
 std::unique_ptr<MovingInput> MovingInputs::make(const Input& input) {
-  switch (input.wanted()) {
-    case InputKind::music:
-    case InputKind::microphone:
-      return open_audio_input(project_, input, warnings_);
-    case InputKind::video:
-      return open_video_input(input, warnings_);
-    case InputKind::webcam:
-      return open_webcam_input(input, warnings_);
-    default:
-      return nullptr;
-  }
+  const InputKindInfo& kind = info(input.wanted());
+  if (kind.source != InputSource::moving) return nullptr;
+  if (kind.is_audio) return open_audio_input(project_, input, warnings_);
+  return kind.files != 0 ? open_video_input(input, warnings_) : open_webcam_input(input, warnings_);
 }
 
 }  // namespace shadertwin

@@ -8,14 +8,15 @@
 #include <vector>
 
 #include "host/player/frame.h"
-#include "host/project/project.h"
+#include "host/project/host_rules.h"
 
 namespace shadertwin {
 
 // A pass has one picture, or two that take turns when the previous one is still needed
 // (passes_with_history()).
 //
-// With Project::vscode_quirks three things are as in the extension. Every pass is drawn once before frame 0,
+// Three of HostRules change this, as the extension has it (warms_up, swaps_after_frame, reports_first_size).
+// Every pass is drawn once before frame 0,
 // to see whether it compiles: a rehearsal, which leaves a picture that earlier passes read in frame 0. The
 // two pictures of a pass that reads itself change places only when the frame is over, so that passes before
 // it read the one that it is about to draw over: that of two frames ago. And iChannelResolution gives the
@@ -45,7 +46,7 @@ class Rounds {
   glm::ivec2 reported_size() const { return reported_size_; }
 
  private:
-  bool quirks_;
+  HostRules rules_;
   std::vector<std::size_t> pictures_;
   std::vector<std::size_t> shown_;
   bool rehearsing_ = false;

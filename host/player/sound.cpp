@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "host/base/error.h"
+#include "host/project/kinds.h"
 
 namespace shadertwin {
 
@@ -14,9 +15,7 @@ Project sound_only(const Project& project) {
   // Passes are not bound to a sound, and these are no longer there.
   for (Input& input : result.passes[0].inputs) {
     if (input.kind != InputKind::pass) continue;
-    input.missing = project.passes[static_cast<std::size_t>(input.pass)].kind == PassKind::cubemap
-                        ? InputKind::cubemap
-                        : InputKind::none;
+    input.missing = traits_of_source(project, input).faces == 6 ? InputKind::cubemap : InputKind::none;
     input.kind = InputKind::none;
     input.pass = -1;
   }

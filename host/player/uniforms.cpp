@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "host/project/host_rules.h"
+#include "host/project/kinds.h"
+
 namespace shadertwin {
 
 namespace {
@@ -48,11 +51,11 @@ Uniforms uniforms_for(const Project& project, const Pass& pass, const Frame& fra
   u.iMouse = frame.mouse;
   u.iMouseButton = frame.mouse_button;
   std::copy(times.begin(), times.end(), u.iChannelTime);
-  // shadertoy.com always has an audio context; the extension starts one with the first audio input.
-  bool audio = project.dialect == Dialect::shadertoy;
+  // Where there is no audio context from the start, the first audio input makes one.
+  bool audio = host_rules(project).always_has_audio;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     u.iChannelResolution[i] = channels[i];
-    audio = audio || pass.inputs[i].kind == InputKind::music || pass.inputs[i].kind == InputKind::microphone;
+    audio = audio || info(pass.inputs[i].kind).is_audio;
   }
   u.iSampleRate = audio ? static_cast<float>(sound_rate) : 0.0F;
   u.iViewMatrix = project.first_person_controls ? frame.view : glm::mat4(1.0F);

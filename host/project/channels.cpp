@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "host/project/kinds.h"
 #include "host/project/paths.h"
 #include "host/project/text_file.h"
 
@@ -90,24 +91,7 @@ Input bind_path(const ChannelContext& context, const PlacedDirective& at, bool c
 }  // namespace
 
 Sampler default_sampler(Dialect dialect, InputKind kind) {
-  Sampler sampler;
-  if (kind == InputKind::cubemap || kind == InputKind::volume) sampler.vflip = false;
-  if (dialect == Dialect::vscode) {
-    if (kind == InputKind::music) {
-      sampler.min = MinFilter::nearest;
-      sampler.wrap = Wrap::clamp;
-    }
-    return sampler;
-  }
-  // What the site's editor gives to a new input.
-  if (kind == InputKind::texture || kind == InputKind::volume || kind == InputKind::cubemap)
-    sampler.min = MinFilter::linear_mipmap_linear;
-  if (kind == InputKind::keyboard) {
-    sampler.min = MinFilter::nearest;
-    sampler.mag = MagFilter::nearest;
-  }
-  if (kind != InputKind::texture && kind != InputKind::volume) sampler.wrap = Wrap::clamp;
-  return sampler;
+  return dialect == Dialect::vscode ? info(kind).extension_sampler : info(kind).site_sampler;
 }
 
 void bind_channels(const ChannelContext& context, const std::vector<PlacedDirective>& directives,

@@ -6,6 +6,7 @@
 
 #include "host/base/error.h"
 #include "host/project/channels.h"
+#include "host/project/kinds.h"
 #include "host/project/media.h"
 #include "host/project/paths.h"
 
@@ -61,19 +62,9 @@ std::string either(const Json& object, const char* name, const char* other) {
 }
 
 InputKind kind_of(const std::string& type) {
-  static constexpr std::array<std::pair<std::string_view, InputKind>, 10> kinds = {
-      {{"texture", InputKind::texture},
-       {"cubemap", InputKind::cubemap},
-       {"volume", InputKind::volume},
-       {"buffer", InputKind::pass},
-       {"keyboard", InputKind::keyboard},
-       {"music", InputKind::music},
-       {"musicstream", InputKind::music},
-       {"mic", InputKind::microphone},
-       {"webcam", InputKind::webcam},
-       {"video", InputKind::video}}};
-  for (const auto& [name, kind] : kinds)
-    if (name == type) return kind;
+  if (type == "musicstream") return InputKind::music;
+  for (const InputKindInfo& kind : input_kinds)
+    if (kind.site_name == type) return kind.kind;
   return InputKind::none;
 }
 
@@ -85,7 +76,7 @@ Sampler read_sampler(const Json& input, InputKind kind) {
   Sampler sampler = default_sampler(Dialect::shadertoy, kind);
   const auto settings = input.find("sampler");
   if (settings == input.end() || !settings->is_object()) return sampler;
-  const bool fixed = kind == InputKind::keyboard || kind == InputKind::music || kind == InputKind::microphone;
+  const bool fixed = !info(kind).has_settings;
   const std::string filter = either(*settings, "filter", "filter");
   if (!filter.empty() && !fixed) {
     sampler.mag = filter == "linear" || filter == "mipmap" ? MagFilter::linear : MagFilter::nearest;
@@ -103,7 +94,7 @@ Sampler read_sampler(const Json& input, InputKind kind) {
 // others are NAME_1.jpg to NAME_5.jpg on the site; with names as the extension's (NAME_px.jpg) they may
 // follow those.
 std::vector<std::vector<std::string>> spellings(const std::string& source, InputKind kind) {
-  if (kind != InputKind::cubemap) return {{source}};
+  if (info(kind).files != 6) return {{source}};
   const std::size_t dot = std::min(source.rfind('.'), source.size());
   const std::string stem = source.substr(0, dot);
   const std::string extension = source.substr(dot);
@@ -177,28 +168,16 @@ Input JsonInputs::read(const Json& json) {
   const std::string id = read_id(json);
   Input input;
   input.kind = kind_of(type);
-  switch (input.kind) {
-    case InputKind::none:
-      warn("type " + type, "an input has the unknown type \"" + type + "\"");
-      return input;
-    case InputKind::pass:
-      input = read_pass(id, source, PassKind::buffer);
-      break;
-    case InputKind::cubemap:
-      if (id == "4dX3Rr" || source.starts_with("/media/previz/")) {
-        input = read_pass(id, source, PassKind::cubemap);
-        break;
-      }
-      [[fallthrough]];
-    case InputKind::texture:
-    case InputKind::volume:
-    case InputKind::music:
-    case InputKind::video:
-      find_media(source, input.kind, input);
-      break;
-    default:
-      break;
+  if (input.kind == InputKind::none) {
+    warn("type " + type, "an input has the unknown type \"" + type + "\"");
+    return input;
   }
+  const bool cubemap_pass =
+      input.kind == InputKind::cubemap && (id == "4dX3Rr" || source.starts_with("/media/previz/"));
+  if (cubemap_pass || input.kind == InputKind::pass)
+    input = read_pass(id, source, cubemap_pass ? PassKind::cubemap : PassKind::buffer);
+  else if (info(input.kind).files != 0)
+    find_media(source, input.kind, input);
   if (input.kind == InputKind::none) {
     input.missing = kind_of(type);
     input.sampler = read_sampler(json, input.missing);
@@ -219,8 +198,7 @@ Input JsonInputs::read_pass(const std::string& id, const std::string& source, Pa
                           ? static_cast<char>('A' + (source[digits + 7] - '0'))
                           : '\0';
   for (std::size_t i = 0; i < passes_.size() && input.pass < 0; ++i)
-    if (passes_[i].kind == kind &&
-        (kind == PassKind::cubemap || (letter != 0 && passes_[i].letter == letter)))
+    if (passes_[i].kind == kind && (traits(kind).most == 1 || (letter != 0 && passes_[i].letter == letter)))
       input.pass = static_cast<int>(i);
   if (input.pass >= 0)
     input.kind = InputKind::pass;

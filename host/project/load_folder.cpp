@@ -2,6 +2,7 @@
 #include <array>
 
 #include "host/project/channels.h"
+#include "host/project/host_rules.h"
 #include "host/project/load.h"
 #include "host/project/tabs_settings.h"
 #include "host/project/text_file.h"
@@ -105,7 +106,7 @@ class FolderLoader {
     texts_.append(file, body, directives);
     pass.code = body.text().substr(code);
     for (const PlacedDirective& at : directives)
-      if (project_.dialect == Dialect::shadertoy && at.directive.channel > 3)
+      if (at.directive.channel >= host_rules(project_).channels)
         fail_at(ExitStatus::shader, at.file, at.directive.line, "shadertoy.com has the channels 0 to 3");
     flags_.push_back(apply_directives(project_, directives));
     bind_channels({.project = project_,

@@ -5,6 +5,7 @@
 #include "host/project/body.h"
 #include "host/project/json_inputs.h"
 #include "host/project/json_text.h"
+#include "host/project/kinds.h"
 #include "host/project/load.h"
 #include "host/project/text_file.h"
 #include "host/project/text_loader.h"
@@ -97,26 +98,17 @@ class JsonLoader {
     Parsed parsed;
     parsed.json = &json;
     parsed.pass.code = code;
-    if (type == "image")
-      parsed.pass.kind = PassKind::image;
-    else if (type == "buffer")
-      parsed.pass.kind = PassKind::buffer;
-    else if (type == "cubemap")
-      parsed.pass.kind = PassKind::cubemap;
-    else if (type == "sound")
-      parsed.pass.kind = PassKind::sound;
-    else
-      fail("a pass has the unknown type \"" + type + "\"");
+    const auto known = std::find_if(pass_kinds.begin(), pass_kinds.end(),
+                                    [&](const PassTraits& kind) { return kind.name == type; });
+    if (known == pass_kinds.end()) fail("a pass has the unknown type \"" + type + "\"");
+    parsed.pass.kind = known->kind;
     parsed.ids = identify(json, parsed.pass.kind, name_);
     parsed_.push_back(std::move(parsed));
   }
 
   // Sound, buffers as they stand, cubemap, image.
   void put_in_order() {
-    const auto rank = [](const Parsed& parsed) {
-      constexpr std::array ranks = {3, 1, 2, 0};  // image, buffer, cubemap, sound
-      return ranks[static_cast<std::size_t>(parsed.pass.kind)];
-    };
+    const auto rank = [](const Parsed& parsed) { return traits(parsed.pass).rank; };
     std::stable_sort(parsed_.begin(), parsed_.end(),
                      [&](const Parsed& a, const Parsed& b) { return rank(a) < rank(b); });
     const auto count = [&](PassKind kind) {
@@ -126,8 +118,9 @@ class JsonLoader {
     if (count(PassKind::image) != 1)
       throw Error(ExitStatus::shader, name_ + ": error: there are " + std::to_string(count(PassKind::image)) +
                                           " image passes, not one");
-    for (const PassKind kind : {PassKind::sound, PassKind::cubemap})
-      if (count(kind) > 1) fail("there are two passes of a kind that a shader has once");
+    for (const PassTraits& kind : pass_kinds)
+      if (kind.most == 1 && count(kind.kind) > 1)
+        fail("there are two passes of a kind that a shader has once");
     name_passes();
   }
 
@@ -135,25 +128,13 @@ class JsonLoader {
     char next = 'A';
     for (Parsed& parsed : parsed_) {
       std::string& name = parsed.pass.name;
-      switch (parsed.pass.kind) {
-        case PassKind::image:
-          name = "Image";
-          break;
-        case PassKind::sound:
-          name = "Sound";
-          break;
-        case PassKind::cubemap:
-          name = "Cubemap A";
-          break;
-        case PassKind::buffer:
-          if (parsed.ids.letter == 0 || is_taken(parsed.ids.letter))
-            while (is_taken(next)) ++next;
-          name = std::string("Buffer ") +
-                 (parsed.ids.letter == 0 || is_taken(parsed.ids.letter) ? next : parsed.ids.letter);
-          parsed.ids.letter = name.back();
-          taken_ += name.back();
-          break;
-      }
+      name = traits(parsed.pass).title;
+      if (traits(parsed.pass).most == 1) continue;
+      if (parsed.ids.letter == 0 || is_taken(parsed.ids.letter))
+        while (is_taken(next)) ++next;
+      name += {' ', parsed.ids.letter == 0 || is_taken(parsed.ids.letter) ? next : parsed.ids.letter};
+      parsed.ids.letter = name.back();
+      taken_ += name.back();
     }
   }
   bool is_taken(char letter) const { return taken_.find(letter) != std::string::npos; }

@@ -3,6 +3,7 @@
 #include "host/base/error.h"
 #include "host/project/channels.h"
 #include "host/project/json_text.h"
+#include "host/project/kinds.h"
 #include "host/project/media.h"
 #include "host/project/paths.h"
 #include "host/project/text_file.h"
@@ -13,15 +14,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct KindName {
-  const char* name;
-  InputKind kind;
-};
-constexpr KindName kind_names[] = {{"buffer", InputKind::pass},          {"texture", InputKind::texture},
-                                   {"cubemap", InputKind::cubemap},      {"volume", InputKind::volume},
-                                   {"music", InputKind::music},          {"video", InputKind::video},
-                                   {"keyboard", InputKind::keyboard},    {"webcam", InputKind::webcam},
-                                   {"microphone", InputKind::microphone}};
+// The kind of input that a setting of this name binds; null if it binds none.
+const InputKindInfo* kind_of(const std::string& key) {
+  for (const InputKindInfo& kind : input_kinds)
+    if (kind.source != InputSource::nothing && key == kind.name) return &kind;
+  return nullptr;
+}
 
 class SettingsReader {
  public:
@@ -56,13 +54,13 @@ class SettingsReader {
 
   Input read_input(const Json& settings, const std::string& where) const {
     Input input;
-    for (const auto& [key, value] : settings.items())
-      for (const KindName& kind : kind_names) {
-        if (key != kind.name) continue;
-        if (input.kind != InputKind::none) fail(where + " is bound twice");
-        input.kind = kind.kind;
-        bind(value, where + "." + key, input);
-      }
+    for (const auto& [key, value] : settings.items()) {
+      const InputKindInfo* kind = kind_of(key);
+      if (kind == nullptr) continue;
+      if (input.kind != InputKind::none) fail(where + " is bound twice");
+      input.kind = kind->kind;
+      bind(value, where + "." + key, input);
+    }
     if (input.kind == InputKind::none) fail(where + " has no buffer, texture, cubemap ...");
     input.sampler = default_sampler(Dialect::shadertoy, input.kind);
     for (const auto& [key, value] : settings.items()) read_setting(key, value, where, input);
@@ -70,22 +68,16 @@ class SettingsReader {
   }
 
   void bind(const Json& value, const std::string& where, Input& input) const {
-    switch (input.kind) {
-      case InputKind::pass:
-        input.pass = find_pass(project_, need_string(value, name_, where));
-        if (input.pass < 0) fail("there is no tab \"" + value.get<std::string>() + "\"");
-        break;
-      case InputKind::texture:
-      case InputKind::volume:
-      case InputKind::music:
-      case InputKind::video:
-        input.files = {find(need_string(value, name_, where))};
-        break;
-      case InputKind::cubemap:
-        bind_cubemap(value, where, input);
-        break;
-      default:
-        if (value != true) fail(where + " can only be true");
+    const InputKindInfo& kind = info(input.kind);
+    if (kind.source == InputSource::pass) {
+      input.pass = find_pass(project_, need_string(value, name_, where));
+      if (input.pass < 0) fail("there is no tab \"" + value.get<std::string>() + "\"");
+    } else if (kind.files == 6) {
+      bind_cubemap(value, where, input);
+    } else if (kind.files == 1) {
+      input.files = {find(need_string(value, name_, where))};
+    } else if (value != true) {
+      fail(where + " can only be true");
     }
   }
 
@@ -133,9 +125,7 @@ class SettingsReader {
     } else if (key == "vflip") {
       if (!value.is_boolean()) fail(where + ".vflip is true or false");
       sampler.vflip = value.get<bool>();
-    } else {
-      for (const KindName& kind : kind_names)
-        if (key == kind.name) return;
+    } else if (kind_of(key) == nullptr) {
       fail(where + " has an unknown setting \"" + key + "\"");
     }
   }

@@ -7,45 +7,17 @@
 #include "host/base/error.h"
 #include "host/language/entry_points.h"
 #include "host/project/json_text.h"
+#include "host/project/kinds.h"
 
 namespace shadertwin {
 
 namespace {
 
-constexpr int image_id = 37;
-constexpr int first_buffer_id = 257;
-constexpr int cubemap_id = 41;
 constexpr int keyboard_id = 33;
 constexpr int first_media_id = 1000;
 
 [[noreturn]] void fail(const Pass& pass, const std::string& what) {
   throw Error(ExitStatus::shader, pass.name + ": error: " + what);
-}
-
-const char* type_name(InputKind kind) {
-  switch (kind) {
-    case InputKind::texture:
-      return "texture";
-    case InputKind::cubemap:
-      return "cubemap";
-    case InputKind::volume:
-      return "volume";
-    case InputKind::pass:
-      return "buffer";
-    case InputKind::keyboard:
-      return "keyboard";
-    case InputKind::music:
-      return "music";
-    case InputKind::video:
-      return "video";
-    case InputKind::webcam:
-      return "webcam";
-    case InputKind::microphone:
-      return "mic";
-    case InputKind::none:
-      break;
-  }
-  return "";
 }
 
 std::string constant(const CustomUniform& uniform) {
@@ -96,22 +68,14 @@ class Writer {
     int buffers = 0;
     for (std::size_t i = 0; i < project_.passes.size(); ++i) {
       const Pass& pass = project_.passes[i];
-      switch (pass.kind) {
-        case PassKind::image:
-          ids_.push_back(image_id);
-          break;
-        case PassKind::cubemap:
-          ids_.push_back(cubemap_id);
-          break;
-        case PassKind::sound:
-          ids_.push_back(0);
-          break;
-        case PassKind::buffer:
-          if (buffers == 4) fail(pass, "shadertoy.com has four buffers, and this is the fifth");
-          ids_.push_back(first_buffer_id + letter_of(pass, buffers));
-          ++buffers;
-          break;
+      const PassTraits& kind = traits(pass);
+      int id = kind.site_output;
+      if (kind.most > 1) {
+        if (buffers == kind.most) fail(pass, "shadertoy.com has four buffers, and this is the fifth");
+        id += letter_of(pass, buffers);
+        ++buffers;
       }
+      ids_.push_back(id);
     }
   }
 
@@ -128,27 +92,16 @@ class Writer {
     return text + project_.common;
   }
 
-  static const char* pass_type(PassKind kind) {
-    constexpr std::array names = {"image", "buffer", "cubemap", "sound"};
-    return names[static_cast<std::size_t>(kind)];
-  }
-
   std::string pass_name(const Pass& pass, int index) const {
-    switch (pass.kind) {
-      case PassKind::image:
-        return "Image";
-      case PassKind::cubemap:
-        return "Cubemap A";
-      case PassKind::sound:
-        return "Sound";
-      default:
-        return std::string("Buffer ") +
-               static_cast<char>('A' + ids_[static_cast<std::size_t>(index)] - first_buffer_id);
-    }
+    const PassTraits& kind = traits(pass);
+    std::string name(kind.title);
+    if (kind.most > 1)
+      name += {' ', static_cast<char>('A' + ids_[static_cast<std::size_t>(index)] - kind.site_output)};
+    return name;
   }
 
   Json write_pass(const Pass& pass, int index) {
-    const bool picture = pass.kind == PassKind::image || pass.kind == PassKind::buffer;
+    const bool picture = traits(pass).side == 0;
     const EntryPoints entry = find_entry_points(tokenize(pass.source.body));
     if (picture && entry.main && !entry.image)
       fail(pass, "shadertoy.com needs mainImage(), and this has main()");
@@ -164,20 +117,20 @@ class Writer {
       outputs.push_back({{"id", id}, {"channel", 0}});
     return {{"inputs", inputs},  {"outputs", outputs},
             {"code", pass.code}, {"name", pass_name(pass, index)},
-            {"description", ""}, {"type", pass_type(pass.kind)}};
+            {"description", ""}, {"type", traits(pass).name}};
   }
 
   Json write_input(const Pass& pass, const Input& input, int channel) {
     int id = next_media_;
     std::string source;
-    std::string type = type_name(input.kind);
+    std::string type(info(input.kind).site_name);
     if (input.kind == InputKind::pass) {
+      const PassTraits& kind = traits_of_source(project_, input);
       id = ids_[static_cast<std::size_t>(input.pass)];
-      if (id == image_id)
+      if (kind.kind == PassKind::image)
         fail(pass, "shadertoy.com can't read the image in iChannel" + std::to_string(channel));
-      source = id == cubemap_id ? "/media/previz/cubemap00.png"
-                                : "/media/previz/buffer0" + std::to_string(id - first_buffer_id) + ".png";
-      if (id == cubemap_id) type = "cubemap";
+      type = kind.name;
+      source = "/media/previz/" + type + '0' + std::to_string(id - kind.site_output) + ".png";
     } else if (input.kind == InputKind::keyboard) {
       id = keyboard_id;
       source = "/presets/tex00.jpg";
@@ -202,13 +155,8 @@ class Writer {
     int flags = 0;
     for (const Pass& pass : project_.passes) {
       if (pass.has_vr) flags |= 1;
-      if (pass.kind == PassKind::sound) flags |= 8;
-      if (pass.kind == PassKind::buffer || pass.kind == PassKind::cubemap) flags |= 32;
-      for (const Input& input : pass.inputs) {
-        if (input.kind == InputKind::webcam) flags |= 2;
-        if (input.kind == InputKind::microphone) flags |= 4;
-        if (input.kind == InputKind::keyboard) flags |= 16;
-      }
+      flags |= traits(pass).site_flag;
+      for (const Input& input : pass.inputs) flags |= info(input.kind).site_flag;
     }
     return flags;
   }

@@ -5,6 +5,7 @@
 #include "host/base/error.h"
 #include "host/language/entry_points.h"
 #include "host/language/tokens.h"
+#include "host/project/host_rules.h"
 #include "host/text/keyboard_text.h"
 #include "host/text/main_text.h"
 #include "host/text/resolve_macros.h"
@@ -142,7 +143,7 @@ void add_uniforms(Head& head, const Project& project, const Pass& pass) {
 // main() for the kind of pass; none if it is the user's own.
 std::optional<MainText> choose_main(const Project& project, const Pass& pass, const EntryPoints& entry,
                                     bool vr, bool asserts) {
-  const bool opaque = project.dialect == Dialect::shadertoy && pass.kind == PassKind::image;
+  const bool opaque = host_rules(project).opaque_image && pass.kind == PassKind::image;
   if (pass.kind == PassKind::sound) {
     if (!entry.sound) fail_without_entry(project, pass, "mainSound(in int, float)");
     return sound_main(entry.sound_of_time);

@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "host/project/host_rules.h"
+#include "host/project/kinds.h"
+
 namespace shadertwin::view {
 
 namespace fs = std::filesystem;
@@ -22,11 +25,11 @@ void Playing::replace(const fs::path& shader, Loaded loaded) {
   if (!same) uniforms_ = LiveUniforms();
   shader_ = shader;
   const std::unique_ptr<Stage> before = std::move(stage_);
-  const Dialect dialect = project_.dialect;
+  const HostRules earlier = host_rules(project_);
   put_on(std::move(loaded));
   if (!same) return;
   if (const int pass = find_pass(project_, name); pass >= 0) show(pass);
-  if (dialect == Dialect::shadertoy && project_.dialect == dialect && before->ready())
+  if (earlier.keeps_pictures_on_reload && host_rules(project_).keeps_pictures_on_reload && before->ready())
     stage_->continue_from(*before);
 }
 
@@ -58,7 +61,7 @@ void Playing::show_neighbour(int direction) {
   const int count = static_cast<int>(project_.passes.size());
   int pass = pass_;
   do pass = (pass + direction + count) % count;
-  while (project_.passes[static_cast<std::size_t>(pass)].kind == PassKind::sound);
+  while (!traits(project_.passes[static_cast<std::size_t>(pass)]).every_frame);
   show(pass);
 }
 

@@ -58,13 +58,16 @@ std::string commands_for_pixel(const FrameCommand& command, const Frame& frame, 
                                glm::ivec2 pixel) {
   std::string play =
       quoted(command.shader) + " --size " + std::to_string(frame.width) + 'x' + std::to_string(frame.height);
+  std::optional<Date> date = command.date;
   // Real time can't be repeated frame by frame: the nearest thing is one frame at that time.
   if (command.fps > 0.0) {
     play += " --fps " + number(command.fps) + " --frames " + std::to_string(frame.index + 1);
     if (command.t0 != 0.0) play += " --time " + number(command.t0);
   } else {
     play += " --time " + number(frame.time);
+    if (date.has_value()) date = later(*date, frame.time - command.t0);
   }
+  if (date.has_value() && *date != Date()) play += " --date " + date->text();
   if (frame.mouse != glm::vec4(0.0F))
     play += " --mouse " + std::to_string(static_cast<int>(frame.mouse.x)) + ',' +
             std::to_string(static_cast<int>(frame.mouse.y)) + (frame.mouse.z > 0.0F ? ",down" : "");

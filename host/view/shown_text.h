@@ -3,9 +3,11 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "host/player/fixed_clock.h"
 #include "host/player/frame.h"
 #include "host/project/project.h"
 
@@ -21,9 +23,10 @@ std::string uniforms_as_options(const std::vector<CustomUniform>& uniforms,
 // What draws `frame` again without a window, and the commands that look into one pixel of it.
 struct FrameCommand {
   std::string shader;
-  std::string options;  // as the user gave them: -D and the like
-  double fps = 0.0;     // the clock's fixed rate; 0: real time
-  double t0 = 0.0;      // iTime of frame 0
+  std::string options;            // as the user gave them: -D and the like
+  double fps = 0.0;               // the clock's fixed rate; 0: real time
+  double t0 = 0.0;                // iTime of frame 0
+  std::optional<Date> date = {};  // of frame 0; not given: the wall clock's
 };
 // `pass` is empty for the project's picture. One command a line.
 std::string commands_for_pixel(const FrameCommand& command, const Frame& frame, const std::string& pass,

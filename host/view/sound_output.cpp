@@ -13,6 +13,7 @@
 #include "host/media/loudspeaker.h"
 #include "host/player/recordings.h"
 #include "host/player/sound.h"
+#include "host/project/kinds.h"
 #include "host/text/render.h"
 #include "host/view/window.h"
 
@@ -37,10 +38,10 @@ std::string sounding_of(const Project& project) {
   if (project.muted) return {};
   std::string text;
   for (const Pass& pass : project.passes) {
-    const bool sounds = pass.kind == PassKind::sound;
+    const bool sounds = !traits(pass).every_frame;
     if (sounds) text += render(pass.source);
     for (const Input& input : pass.inputs)
-      if (sounds || input.kind == InputKind::music || input.kind == InputKind::video)
+      if (sounds || info(input.kind).source == InputSource::moving)
         for (const auto& file : input.files) text += '\n' + file.string();
   }
   return text;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "host/player/inputs.h"
+#include "host/project/kinds.h"
 
 namespace shadertwin::view {
 
@@ -63,14 +64,10 @@ class SharedStage final : public Stage {
   Picture picture(int pass) override {
     if (size_.x == 0) return {};
     drawn_.wait(window_.context().functions());
-    switch (project_.passes[static_cast<std::size_t>(pass)].kind) {
-      case PassKind::sound:
-        return {};
-      case PassKind::cubemap:
-        return {GL_TEXTURE_CUBE_MAP, player_->texture(pass), glm::ivec2(cubemap_pass_size)};
-      default:
-        return {GL_TEXTURE_2D, player_->texture(pass), size_};
-    }
+    const PassTraits& kind = traits(project_.passes[static_cast<std::size_t>(pass)]);
+    if (!kind.every_frame) return {};
+    return {static_cast<GLenum>(kind.faces == 6 ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D),
+            player_->texture(pass), kind.side != 0 ? glm::ivec2(kind.side) : size_};
   }
   void shown() override { seen_.set(window_.context().functions()); }
   Image read(int pass) override { return player_->read(pass); }

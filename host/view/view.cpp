@@ -53,7 +53,7 @@ class View {
         presenter_(window_.context()),
         read_(FileWatch::now()),
         playing_(options.shader, load(options.shader)),
-        clock_(options.clock, playing_.project().dialect),
+        clock_(options.clock, host_rules(playing_.project())),
         capture_(options.output.empty() ? stem_of(options.shader) : options.output),
         sound_(options.sound_player,
                [quiet = options.quiet](const std::string& line) {
@@ -123,7 +123,7 @@ class View {
     if (same)
       clock_.restart_frames();
     else
-      clock_.set_dialect(playing_.project().dialect);
+      clock_.restart(host_rules(playing_.project()));
     play_sound();
     name_window();
   }
@@ -276,7 +276,7 @@ class View {
     if (picture.texture == 0) return;
     const std::string pass = playing_.shows_last() ? "" : playing_.shown().name;
     const FrameCommand command{playing_.shader().string(), all_options(), options_.clock.rate.value_or(0.0),
-                               options_.clock.t0};
+                               options_.clock.t0, options_.clock.date};
     std::fputs(commands_for_pixel(command, *frame_, pass, place_in(picture, across(position)).at).c_str(),
                stdout);
     std::fflush(stdout);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "host/project/host_rules.h"
 #include "reference/check/rules.h"
 
 namespace shadertwin::check {
@@ -33,7 +34,7 @@ Pass common_of(const Pass& pass) {
 }  // namespace
 
 std::vector<Finding> common_errors(const Project& project, const std::vector<Finding>& known) {
-  if (project.dialect != Dialect::shadertoy || project.common.empty()) return {};
+  if (!host_rules(project).common_stands_alone || project.common.empty()) return {};
   std::vector<Finding> findings;
   for (Finding& finding : syntax_errors(project, common_of(project.passes.back()))) {
     const bool told = std::any_of(known.begin(), known.end(), [&](const Finding& other) {

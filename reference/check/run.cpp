@@ -5,6 +5,7 @@
 #include <mutex>
 #include <tuple>
 
+#include "host/project/kinds.h"
 #include "reference/check/trace.h"
 #include "reference/glsl/check.h"
 #include "reference/twin/twin_player.h"
@@ -129,7 +130,7 @@ Trace trace(const Project& project, const RunOptions& options, twin::Uninitialis
             const Unsteady& unsteady) {
   Tracer tracer(unsteady.pass, unsteady.frame, unsteady.samples);
   const auto player = open(project, options, uninitialised, tracer);
-  FixedClock clock(options.schedule, project.dialect);
+  FixedClock clock(options.schedule, host_rules(project));
   for (int i = 0; i <= unsteady.frame; ++i) player->render(clock.next());
   return tracer.take();
 }
@@ -159,7 +160,7 @@ std::vector<Finding> run_checks(const Project& project, const RunOptions& option
   Counter ignored;
   const auto zero = open(project, options, twin::Uninitialised::zero, counter);
   const auto pattern = open(project, options, twin::Uninitialised::pattern, ignored);
-  FixedClock clock(options.schedule, project.dialect);
+  FixedClock clock(options.schedule, host_rules(project));
   std::vector<Unsteady> unsteady;
   for (int i = 0; i < options.frames; ++i) {
     const Frame frame = clock.next();
@@ -168,7 +169,7 @@ std::vector<Finding> run_checks(const Project& project, const RunOptions& option
     if (!unsteady.empty()) continue;
     pattern->render(frame);
     for (std::size_t pass = 0; pass < project.passes.size(); ++pass) {
-      if (project.passes[pass].kind == PassKind::sound) continue;
+      if (!traits(project.passes[pass]).every_frame) continue;
       const int index = static_cast<int>(pass);
       const Unsteady found = compare_bits(zero->read(index), pattern->read(index), index, i);
       if (found.pixels != 0) unsteady.push_back(found);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "host/language/tokens.h"
+#include "host/project/kinds.h"
 #include "reference/check/rules.h"
 
 namespace shadertwin::check {
@@ -284,10 +285,11 @@ class TextRules {
 std::vector<Finding> inputs_of_one_host(const Project& project, const Pass& pass) {
   std::vector<Finding> findings;
   for (std::size_t i = 0; i < pass.inputs.size(); ++i)
-    if (pass.inputs[i].wanted() == InputKind::volume)
-      findings.push_back(
-          make_finding(project, pass, {}, "portability",
-                       "iChannel" + std::to_string(i) + " is a volume, which the VS Code extension has not"));
+    if (!info(pass.inputs[i].wanted()).in_extension)
+      findings.push_back(make_finding(project, pass, {}, "portability",
+                                      "iChannel" + std::to_string(i) + " is a " +
+                                          std::string(info(pass.inputs[i].wanted()).name) +
+                                          ", which the VS Code extension has not"));
   return findings;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "host/player/inputs.h"
+#include "host/player/keyboard.h"
 
 namespace shadertwin::twin {
 namespace {
@@ -115,22 +116,12 @@ void MovingPictures::update(const Frame& frame) {
   });
 }
 
-Keyboard::Keyboard(Dialect dialect) : dialect_(dialect) {
+Keyboard::Keyboard(Dialect dialect) : rules_(host_rules(dialect)) {
   update(Frame{});
 }
 
-// The site's texture has one channel (g = b = 0), the extension's is grey; alpha is 1 in both.
 void Keyboard::update(const Frame& frame) {
-  const bool site = dialect_ == Dialect::shadertoy;
-  Texture texture;
-  texture.width = 256;
-  texture.height = site ? 3 : 4;
-  for (std::size_t i = 0; i < std::size_t{256} * static_cast<std::size_t>(texture.height); ++i) {
-    const auto value = static_cast<std::byte>(frame.keyboard[i]);
-    const std::byte other = site ? std::byte{0} : value;
-    texture.data.insert(texture.data.end(), {value, other, other, std::byte{255}});
-  }
-  picture_ = Picture(std::move(texture), false);
+  picture_ = Picture(keyboard_texture(frame.keyboard, rules_), false);
 }
 
 UniformList::UniformList(const Uniforms& values, const std::vector<CustomUniform>& custom,

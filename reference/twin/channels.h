@@ -12,7 +12,7 @@
 #include "host/player/frame.h"
 #include "host/player/moving_input.h"
 #include "host/player/uniforms.h"
-#include "host/project/project.h"
+#include "host/project/host_rules.h"
 #include "reference/glsl/texture_image.h"
 #include "reference/twin/abi.h"
 
@@ -74,7 +74,7 @@ class MovingPictures {
   std::map<const MovingInput*, Moving> pictures_;
 };
 
-// The keyboard as a texture, in the shape of its dialect.
+// The keyboard as a texture, in the shape that its host gives it.
 class Keyboard {
  public:
   explicit Keyboard(Dialect dialect);
@@ -82,7 +82,7 @@ class Keyboard {
   const Picture& picture() const { return picture_; }
 
  private:
-  Dialect dialect_;
+  HostRules rules_;
   Picture picture_;
 };
 

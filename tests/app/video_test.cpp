@@ -40,6 +40,16 @@ TEST_F(RenderVideo, AGifTakesItsHighestRateUnlessAnotherIsGiven) {
   EXPECT_EQ(outcome.error_lines(), 1) << outcome.err;
 }
 
+TEST_F(RenderVideo, DurationIsAnotherWayToSayHowManyFrames) {
+  ASSERT_EQ(run(folder, "render clock.glsl --size 32x16 --fps 8 --duration 0.5 -o a.mp4").err, "");
+  EXPECT_EQ(media::read_packets(folder / "a.mp4").times.size(), 4U);
+  ASSERT_EQ(run(folder, "render clock.glsl --size 32x16 --duration 0.1 -o b.gif").err, "");
+  EXPECT_EQ(media::read_packets(folder / "b.gif").times.size(), 5U);
+  ASSERT_EQ(run(folder, "render clock.glsl --size 2x2 --fps 10 --duration 0.3 -o f_%d.png").err, "");
+  EXPECT_TRUE(std::filesystem::exists(folder / "f_2.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "f_3.png"));
+}
+
 TEST_F(RenderVideo, QualityChangesTheSize) {
   folder.write("noise.glsl", noise);
   ASSERT_EQ(run(folder, "render noise.glsl --size 64x64 --frames 3 --crf 45 -o a.mp4").err, "");

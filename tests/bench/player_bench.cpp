@@ -94,7 +94,8 @@ class Playing {
   Playing(const char* device, const Project& project)
       : player_(gl::GlPlayer::create(gl::open_context(device), project, {gl::Dispatch::fragment})),
         last_(static_cast<int>(project.passes.size()) - 1),
-        clock_({.width = size.x, .height = size.y, .date = {}, .mouse = {}, .keys = {}}, project.dialect) {}
+        clock_({.width = size.x, .height = size.y, .date = {}, .mouse = {}, .keys = {}},
+               host_rules(project)) {}
 
   void draw() { player_->render(clock_.next()); }
   void finish() { player_->finish(); }

@@ -48,7 +48,7 @@ void play(benchmark::State& state, Player& player, const Project& project) {
   Schedule schedule;
   schedule.width = width;
   schedule.height = height;
-  FixedClock clock(schedule, project.dialect);
+  FixedClock clock(schedule, host_rules(project));
   player.render(clock.next());
   player.finish();
   for (auto _ : state) {

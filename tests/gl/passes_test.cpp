@@ -61,7 +61,7 @@ void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0) +
   const Project project = load_project(shader);
   const auto player = play(project);
   for (int run = 0; run < 2; ++run) {
-    FixedClock clock(small(), project.dialect);
+    FixedClock clock(small(), host_rules(project));
     for (int i = 0; i < 3; ++i) player->render(clock.next());
     EXPECT_EQ(pixel(player->read(0)), glm::vec4(3)) << "run " << run;
   }
@@ -75,7 +75,7 @@ void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0) *
   const Project project = load_project(shader);
   const Image watched = frames(project, 6, small()).back();
   const auto player = play(project);
-  FixedClock clock(small(), project.dialect);
+  FixedClock clock(small(), host_rules(project));
   for (int i = 0; i < 6; ++i) player->render(clock.next());
   EXPECT_EQ(player->read(0).rgba, watched.rgba);
 }
@@ -165,7 +165,7 @@ void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(0), 0); 
   const Project project = load_project(folder / "tabs");
   const auto player = gl::GlPlayer::create(gl::open_context(GetParam().name), project, {GetParam().dispatch});
   for (int run = 0; run < 2; ++run) {
-    FixedClock clock(small(8, 8), project.dialect);
+    FixedClock clock(small(8, 8), host_rules(project));
     player->render(clock.next());
     EXPECT_EQ(pixel(player->read(1)).x, 4) << "run " << run;
     player->render(clock.next());
@@ -182,7 +182,7 @@ void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0) *
   const Project project = load_project(shader);
   const auto timed = gl::GlPlayer::create(gl::open_context(GetParam().name), project,
                                           {.dispatch = GetParam().dispatch, .timers = true});
-  FixedClock clock(small(), project.dialect);
+  FixedClock clock(small(), host_rules(project));
   for (int i = 0; i < 8; ++i) timed->render(clock.next());
   timed->finish();
   EXPECT_EQ(timed->read(1).rgba, frames(project, 8, small()).back().rgba);

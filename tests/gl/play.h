@@ -36,7 +36,7 @@ class OnEveryDevice : public testing::TestWithParam<Device> {
   // The last pass after each frame of the schedule.
   std::vector<Image> frames(const Project& project, int count, const Schedule& schedule) const {
     const auto player = play(project);
-    FixedClock clock(schedule, project.dialect);
+    FixedClock clock(schedule, host_rules(project));
     std::vector<Image> images;
     for (int i = 0; i < count; ++i) {
       player->render(clock.next());

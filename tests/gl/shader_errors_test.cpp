@@ -72,7 +72,7 @@ TEST_P(ShaderErrors, ARewrittenTextThatIsRefusedIsReplacedWithOneWarning) {
   EXPECT_EQ(player->warnings()[0].rfind("b: warning: runs as written", 0), 0U) << player->warnings()[0];
   EXPECT_NE(player->warnings()[0].find("the driver refuses the rewritten text: "), std::string::npos);
   EXPECT_EQ(player->warnings()[0].find('\n'), std::string::npos);
-  FixedClock clock(small(), project.dialect);
+  FixedClock clock(small(), host_rules(project));
   player->render(clock.next());
   EXPECT_EQ(pixel(player->read(1)), glm::vec4(2));
   options.sources = [](const Project&, const Pass& pass) { return std::vector{pass.source}; };

@@ -73,7 +73,7 @@ TEST_P(SoundPass, ReadsTexturesAndLeavesPicturesAlone) {
   const auto player =
       play(project("#iChannel1 \"dot.exr\"\nvec2 mainSound(int samp, float time) { return texture(iChannel1, "
                    "vec2(.5)).rg; }"));
-  player->render(FixedClock(small(), Dialect::shadertoy).next());
+  player->render(FixedClock(small(), host_rules(Dialect::shadertoy)).next());
   const Image before = player->read(1);
   std::vector<float> stereo(2);
   Sound(*player, {}).read(stereo);

@@ -75,7 +75,7 @@ TEST_P(Video, WithoutACameraTheWebcamIsBlackWithOneWarning) {
   EXPECT_TRUE(project.warnings.empty());
   const auto player = play(project);
   ASSERT_EQ(player->warnings().size(), 1U);
-  FixedClock clock(small(2, 2), project.dialect);
+  FixedClock clock(small(2, 2), host_rules(project));
   player->render(clock.next());
   EXPECT_EQ(pixel(player->read(0), 0, 0), glm::vec4(0, 0, 0, 1));
 }

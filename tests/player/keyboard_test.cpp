@@ -16,7 +16,7 @@ std::array<int, 4> rows_of(const Keyboard& keyboard, int code) {
 using Rows = std::array<int, 4>;
 
 TEST(Keyboard, ShowsAPressForOneFrameAndTogglesOnEveryPress) {
-  Keyboard keyboard(Dialect::shadertoy);
+  Keyboard keyboard(host_rules(Dialect::shadertoy));
   keyboard.press(65);
   EXPECT_EQ(rows_of(keyboard, 65), (Rows{1, 1, 1, 0}));
   keyboard.end_frame();
@@ -29,7 +29,7 @@ TEST(Keyboard, ShowsAPressForOneFrameAndTogglesOnEveryPress) {
 }
 
 TEST(Keyboard, IgnoresAutoRepeat) {
-  Keyboard keyboard(Dialect::shadertoy);
+  Keyboard keyboard(host_rules(Dialect::shadertoy));
   keyboard.press(65);
   keyboard.end_frame();
   keyboard.press(65);
@@ -37,18 +37,18 @@ TEST(Keyboard, IgnoresAutoRepeat) {
 }
 
 TEST(Keyboard, TapBetweenFramesShowsOnlyInTheToggleRowOnTheSite) {
-  Keyboard site(Dialect::shadertoy);
+  Keyboard site(host_rules(Dialect::shadertoy));
   site.press(32);
   site.release(32);
   EXPECT_EQ(rows_of(site, 32), (Rows{0, 0, 1, 1}));
-  Keyboard extension(Dialect::vscode);
+  Keyboard extension(host_rules(Dialect::vscode));
   extension.press(32);
   extension.release(32);
   EXPECT_EQ(rows_of(extension, 32), (Rows{0, 1, 1, 1}));
 }
 
 TEST(Keyboard, IgnoresCodesItHasNoColumnFor) {
-  Keyboard keyboard(Dialect::shadertoy);
+  Keyboard keyboard(host_rules(Dialect::shadertoy));
   keyboard.press(-1);
   keyboard.press(256);
   keyboard.release(65);

@@ -15,7 +15,7 @@ Moment at(double seconds) {
 }
 
 TEST(LiveClock, TimeRunsWithTheClockFromZero) {
-  LiveClock clock({}, Dialect::shadertoy);
+  LiveClock clock({}, host_rules(Dialect::shadertoy));
   const Frame first = clock.next(at(100.0), size);
   EXPECT_EQ(first.index, 0);
   EXPECT_EQ(first.time, 0.0);
@@ -30,7 +30,7 @@ TEST(LiveClock, TimeRunsWithTheClockFromZero) {
 }
 
 TEST(LiveClock, PauseTakesNoTime) {
-  LiveClock clock({}, Dialect::shadertoy);
+  LiveClock clock({}, host_rules(Dialect::shadertoy));
   clock.next(at(0.0), size);
   clock.next(at(1.0), size);
   clock.set_paused(true);
@@ -44,7 +44,7 @@ TEST(LiveClock, PauseTakesNoTime) {
 }
 
 TEST(LiveClock, ForcedFrameWhilePausedCountsButStandsStill) {
-  LiveClock clock({.paused = true}, Dialect::shadertoy);
+  LiveClock clock({.paused = true}, host_rules(Dialect::shadertoy));
   EXPECT_TRUE(clock.due()) << "there is always a first picture";
   clock.next(at(0.0), size);
   EXPECT_FALSE(clock.due());
@@ -58,7 +58,7 @@ TEST(LiveClock, ForcedFrameWhilePausedCountsButStandsStill) {
 }
 
 TEST(LiveClock, StepIsOneSixtiethAndPauses) {
-  LiveClock clock({}, Dialect::shadertoy);
+  LiveClock clock({}, host_rules(Dialect::shadertoy));
   clock.next(at(0.0), size);
   clock.step();
   EXPECT_TRUE(clock.paused());
@@ -75,8 +75,8 @@ TEST(LiveClock, FixedRateGivesTheFramesOfFixedClock) {
   schedule.height = size.y;
   schedule.fps = 24.0;
   schedule.t0 = 2.0;
-  FixedClock fixed(schedule, Dialect::vscode);
-  LiveClock live({.t0 = 2.0, .rate = 24.0, .date = Date(), .paused = true}, Dialect::vscode);
+  FixedClock fixed(schedule, host_rules(Dialect::vscode));
+  LiveClock live({.t0 = 2.0, .rate = 24.0, .date = Date(), .paused = true}, host_rules(Dialect::vscode));
   for (int i = 0; i < 100; ++i) {
     if (i > 0) live.step();
     const Frame a = fixed.next();
@@ -92,7 +92,7 @@ TEST(LiveClock, FixedRateGivesTheFramesOfFixedClock) {
 }
 
 TEST(LiveClock, ResetGoesBackToTheFirstFrame) {
-  LiveClock clock({.t0 = 5.0}, Dialect::shadertoy);
+  LiveClock clock({.t0 = 5.0}, host_rules(Dialect::shadertoy));
   clock.next(at(0.0), size);
   clock.next(at(1.0), size);
   clock.keyboard().press(65);
@@ -106,7 +106,7 @@ TEST(LiveClock, ResetGoesBackToTheFirstFrame) {
 
 TEST(LiveClock, ReloadGoesOnOnTheSiteAndRecountsInTheExtension) {
   for (const Dialect dialect : {Dialect::shadertoy, Dialect::vscode}) {
-    LiveClock clock({}, dialect);
+    LiveClock clock({}, host_rules(dialect));
     for (int i = 0; i < 4; ++i) clock.next(at(i), size);
     clock.restart_frames();
     const Frame frame = clock.next(at(4.0), size);
@@ -116,7 +116,7 @@ TEST(LiveClock, ReloadGoesOnOnTheSiteAndRecountsInTheExtension) {
 }
 
 TEST(LiveClock, RecordingGoesByFramesAndLeavesNoJump) {
-  LiveClock clock({}, Dialect::shadertoy);
+  LiveClock clock({}, host_rules(Dialect::shadertoy));
   clock.next(at(0.0), size);
   clock.next(at(1.0), size);
   clock.set_recording(50.0);
@@ -128,7 +128,7 @@ TEST(LiveClock, RecordingGoesByFramesAndLeavesNoJump) {
 }
 
 TEST(LiveClock, FrameRateIsAnAverageOverHalfASecond) {
-  LiveClock clock({}, Dialect::shadertoy);
+  LiveClock clock({}, host_rules(Dialect::shadertoy));
   Frame frame;
   for (int i = 0; i <= 5; ++i) {
     frame = clock.next(at(i * 0.1), size);
@@ -139,7 +139,7 @@ TEST(LiveClock, FrameRateIsAnAverageOverHalfASecond) {
 }
 
 TEST(LiveClock, ButtonsAndMouseReachTheFrame) {
-  LiveClock clock({}, Dialect::vscode);
+  LiveClock clock({}, host_rules(Dialect::vscode));
   clock.mouse().press({3.0, 4.0}, size);
   clock.set_buttons(false, true);
   Frame frame = clock.next(at(0.0), size);
@@ -153,7 +153,7 @@ TEST(LiveClock, ButtonsAndMouseReachTheFrame) {
 }
 
 TEST(LiveClock, SaysThatNoTimePassedWhilePausedWithTheExtensionsQuirks) {
-  LiveClock clock({.vscode_quirks = true}, Dialect::vscode);
+  LiveClock clock({}, host_rules(Dialect::vscode, true));
   EXPECT_EQ(clock.next(at(1.0), size).time_delta, 0.0);
   EXPECT_EQ(clock.next(at(1.25), size).time_delta, 0.25);
   clock.set_paused(true);

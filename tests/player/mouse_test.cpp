@@ -10,7 +10,7 @@ namespace {
 constexpr glm::ivec2 size(640, 360);
 
 TEST(Mouse, IsNegativeZeroBeforeTheFirstClick) {
-  Mouse mouse;
+  Mouse mouse(host_rules(Dialect::shadertoy));
   mouse.move({100.0, 50.0}, size);  // hovering is not tracked
   const glm::vec4 value = mouse.next_frame();
   EXPECT_EQ(value, glm::vec4(0.0F));
@@ -19,7 +19,7 @@ TEST(Mouse, IsNegativeZeroBeforeTheFirstClick) {
 }
 
 TEST(Mouse, HasTheExtensionsQuirksWhenAsked) {
-  Mouse mouse(true);
+  Mouse mouse(host_rules(Dialect::vscode, true));
   EXPECT_EQ(mouse.next_frame(), glm::vec4(-1.0F));
   mouse.press({100.5, 50.25}, size);
   EXPECT_EQ(mouse.next_frame(), glm::vec4(100.5, 50.25, 100.5, 50.25));
@@ -34,7 +34,7 @@ TEST(Mouse, HasTheExtensionsQuirksWhenAsked) {
 }
 
 TEST(Mouse, ShowsThePressOnOneFrameAndTheDragUntilTheRelease) {
-  Mouse mouse;
+  Mouse mouse(host_rules(Dialect::shadertoy));
   mouse.press({100.0, 50.0}, size);
   EXPECT_EQ(mouse.next_frame(), glm::vec4(100, 50, 100, 50));
   EXPECT_EQ(mouse.next_frame(), glm::vec4(100, 50, 100, -50));
@@ -46,7 +46,7 @@ TEST(Mouse, ShowsThePressOnOneFrameAndTheDragUntilTheRelease) {
 }
 
 TEST(Mouse, ShowsAClickBetweenTwoFramesOnce) {
-  Mouse mouse;
+  Mouse mouse(host_rules(Dialect::shadertoy));
   mouse.press({10.0, 20.0}, size);
   mouse.release();
   EXPECT_EQ(mouse.next_frame(), glm::vec4(10, 20, -10, 20));
@@ -54,7 +54,7 @@ TEST(Mouse, ShowsAClickBetweenTwoFramesOnce) {
 }
 
 TEST(Mouse, FloorsAndStaysInThePicture) {
-  Mouse mouse;
+  Mouse mouse(host_rules(Dialect::shadertoy));
   mouse.press({10.9, 20.9}, size);
   EXPECT_EQ(mouse.next_frame(), glm::vec4(10, 20, 10, 20));
   mouse.move({-5.0, -5.0}, size);

@@ -131,7 +131,7 @@ Image run_shader(const Backend& backend, const Take& take) {
   Schedule schedule;
   schedule.width = take.width;
   schedule.height = take.height;
-  FixedClock clock(schedule, project.dialect);
+  FixedClock clock(schedule, host_rules(project));
   const auto player = backend.create(project);
   for (int i = 0; i < take.frames; ++i) player->render(clock.next());
   const int last = static_cast<int>(project.passes.size()) - 1;

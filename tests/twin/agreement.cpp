@@ -62,7 +62,7 @@ std::vector<Image> play(Player& player, const Project& project, const AgreementO
   Schedule schedule;
   schedule.width = options.width;
   schedule.height = options.height;
-  FixedClock clock(schedule, project.dialect);
+  FixedClock clock(schedule, host_rules(project));
   std::vector<Image> images;
   for (int i = 0; i < options.frames; ++i) {
     player.render(clock.next());

@@ -62,7 +62,7 @@ void expect_same_frames(const Project& project, float relative) {
   Schedule schedule;
   schedule.width = 17;
   schedule.height = 9;
-  FixedClock clock(schedule, project.dialect);
+  FixedClock clock(schedule, host_rules(project));
   for (int i = 0; i < 2; ++i) {
     const Frame frame = clock.next();
     twin->render(frame);
@@ -89,7 +89,7 @@ TEST(Packets, GiveTheBitsOfSinglePixels) {
     Schedule schedule;
     schedule.width = 17;
     schedule.height = 9;
-    const Frame frame = FixedClock(schedule, project.dialect).next();
+    const Frame frame = FixedClock(schedule, host_rules(project)).next();
     one->render(frame);
     packets->render(frame);
     const int last = static_cast<int>(project.passes.size()) - 1;

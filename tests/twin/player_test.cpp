@@ -39,7 +39,7 @@ class Player : public testing::Test {
     Schedule schedule;
     schedule.width = width;
     schedule.height = height;
-    return FixedClock(schedule, Dialect::vscode).next();
+    return FixedClock(schedule, host_rules(Dialect::vscode)).next();
   }
   static Image played(const Project& project, const twin::TwinOptions& options = {}) {
     const auto player = twin::TwinPlayer::create(project, options);

@@ -59,8 +59,7 @@ TEST_P(Quirks, ARehearsalAndReadsOfTwoFramesAgo) {
     schedule.height = 2;
     schedule.t0 = 8.0;
     schedule.fps = 1.0;
-    schedule.vscode_quirks = quirks;
-    FixedClock clock(schedule, project.dialect);
+    FixedClock clock(schedule, host_rules(project));
     for (int i = 0; i < 5; ++i) player->render(clock.next());
     const Image early = player->read(0);
     using Values = std::vector<float>;

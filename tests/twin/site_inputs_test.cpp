@@ -166,7 +166,7 @@ TEST_P(SiteInputs, KeyboardChannelHasOneColourAndShowsAPressForOneFrame) {
   schedule.width = 2;
   schedule.height = 3;
   schedule.keys = {{1, 65}};
-  FixedClock clock(schedule, project.dialect);
+  FixedClock clock(schedule, host_rules(project));
   for (int i = 0; i < 3; ++i) {
     player->render(clock.next());
     const Image image = player->read(0);

@@ -191,7 +191,7 @@ TEST_P(SiteRules, MouseDateAndTimeOfTheFirstFrames) {
   schedule.fps = 4.0;
   schedule.date = Date::parse("2024-01-31T23:59:59.5");
   schedule.mouse = {{2, {0.25, 3.0}, true}, {3, {3.75, 1.5}, true}, {4, {3.75, 1.5}, false}};
-  FixedClock clock(schedule, project.dialect);
+  FixedClock clock(schedule, host_rules(project));
   const glm::vec4 mouse[] = {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 3, 0, 3}, {3, 1, 0, -3}, {3, 1, 0, -3}};
   const glm::vec4 date[] = {{2024, 0, 31, 86399.5F},
                             {2024, 0, 31, 86399.75F},

@@ -58,5 +58,21 @@ TEST(CommandsForPixel, TakeOneFrameAtTheTimeOfALiveClock) {
             "shadertwin compare a.glsl --size 640x360 --time 2.125 --on auto --on cpu\n");
 }
 
+TEST(CommandsForPixel, GiveTheDateOfTheFrameIfOneWasAskedFor) {
+  Frame frame;
+  frame.time = 3602.5;
+  const Date date = Date::parse("2025-12-31T23:30:00");
+  EXPECT_TRUE(
+      commands_for_pixel({"a.glsl", "", 0.0, 2.0, date}, frame, "", {0, 0})
+          .starts_with("shadertwin debug a.glsl --size 640x360 --time 3602.5 --date 2026-01-01T00:30:00.5 "));
+  EXPECT_TRUE(
+      commands_for_pixel({"a.glsl", "", 30.0, 0.0, date}, frame, "", {0, 0})
+          .starts_with(
+              "shadertwin debug a.glsl --size 640x360 --fps 30 --frames 1 --date 2025-12-31T23:30:00 "));
+  // What `debug` has by itself needs no saying.
+  EXPECT_TRUE(commands_for_pixel({"a.glsl", "", 30.0, 0.0, Date()}, frame, "", {0, 0})
+                  .starts_with("shadertwin debug a.glsl --size 640x360 --fps 30 --frames 1 --pixel"));
+}
+
 }  // namespace
 }  // namespace shadertwin::view

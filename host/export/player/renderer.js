@@ -125,7 +125,7 @@ class Renderer {
       input.source = await this.startMedium(input, kind);
     else if (input.media.length > 0) input.source = await uploadPicture(gl, input, project.media);
     // A buffer that is not there reads as one that was never drawn.
-    else if (kind === 'pass' && input.kind === 'none') input.source = makeTable(gl, 1, 1);
+    else if (kind === 'buffer' && input.kind === 'none') input.source = makeTable(gl, 1, 1);
   }
 
   // What moves plays once, whatever number of channels reads it.
