@@ -11,6 +11,7 @@
 #include "host/player/rounds.h"
 #include "host/project/kinds.h"
 #include "host/text/render.h"
+#include "host/text/resolve_macros.h"
 
 namespace shadertwin {
 
@@ -71,6 +72,7 @@ class Describer {
   }
 
   static Json describe(const PassSource& source, Target target) {
+    throw_if_refused(source);  // the text has no directives any more that a browser could refuse
     return {{"text", render(source, target)},
             {"first_line", first_body_line(source)},
             {"lines", runs(source.lines)}};

@@ -1,7 +1,5 @@
 #include "host/language/directive_parser.h"
 
-#include <charconv>
-#include <limits>
 #include <unordered_map>
 
 #include "host/language/directive_expression.h"

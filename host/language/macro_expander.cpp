@@ -1,7 +1,6 @@
 #include "host/language/macro_expander.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace shadertwin {
 

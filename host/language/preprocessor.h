@@ -1,6 +1,6 @@
 // The preprocessor of GLSL ES 3.00: resolves directives and macros exactly as Chromium does, so that whatever
 // reads a shader behind it sees plain code. Where Chromium (ANGLE) departs from the C standard, Chromium is
-// followed; the cases in tests/text/preprocessor_cases.txt say where, and are put to the browser itself.
+// followed; the cases in tests/language/preprocessor_cases.txt say where, and are put to the browser itself.
 //
 // Why no ready-made preprocessor: Boost.Wave is one of C++. It pastes tokens, takes names that are undefined
 // in #if for zero, calculates in 64 bits, wants string literals closed and forgives junk behind #endif; none
@@ -29,19 +29,17 @@ struct Diagnostic {
 };
 
 struct PlainText {
-  std::vector<PlainToken> tokens;  // no directives, no comments, no continuations
-  std::vector<PlainToken>
-      directives;                    // what stays for the compiler: each #extension and #pragma as one token
-  std::vector<Diagnostic> errors;    // what a browser refuses, in its order, at most 100; empty if it accepts
-  std::vector<Diagnostic> warnings;  // what a browser takes but hardly anybody means
-  std::vector<std::string>
-      macros;  // names that the text defines at any time, in the order of their first #define
+  std::vector<PlainToken> tokens;      // no directives, no comments, no continuations
+  std::vector<PlainToken> directives;  // for the compiler: each #extension and #pragma as one token
+  std::vector<Diagnostic> errors;      // what a browser refuses, in its order, at most 100
+  std::vector<Diagnostic> warnings;    // what a browser takes but hardly anybody means
+  std::vector<std::string> macros;     // names that the text defines at any time, first ones first
 };
 
 struct PreprocessOptions {
   // Names and replacements of object-like macros. The text may define these anew or undefine them without
   // complaint.
-  std::vector<std::pair<std::string, std::string>> predefined;
+  std::vector<std::pair<std::string, std::string>> predefined = {};
   // Whether the text stands behind a host's head with code in it, as on shadertoy.com: #version and
   // #extension are then refused wherever they are. Else #version 300 es may be on the first line, and
   // #extension before the first code.

@@ -23,9 +23,9 @@ std::size_t closing(const std::vector<Token>& tokens, std::size_t open) {
 // Whether statements compute nothing and jump nowhere.
 bool do_nothing(const std::vector<Token>& tokens, std::size_t first, std::size_t end) {
   static constexpr std::array<std::string_view, 9> harmless = {";", ",", ".", "[", "]", "{", "}", "+", "-"};
-  static constexpr std::array<std::string_view, 12> acting = {"break", "continue", "return", "discard", "if",
-                                                              "else",  "for",      "while",  "do",      "switch",
-                                                              "case",  "default"};
+  static constexpr std::array<std::string_view, 12> acting = {"break", "continue", "return", "discard",
+                                                              "if",    "else",     "for",    "while",
+                                                              "do",    "switch",   "case",   "default"};
   return std::all_of(tokens.begin() + static_cast<std::ptrdiff_t>(first),
                      tokens.begin() + static_cast<std::ptrdiff_t>(end), [](const Token& token) {
                        const auto c = static_cast<unsigned char>(token.text[0]);
@@ -55,8 +55,10 @@ std::vector<Token> with_kept_labels(std::vector<Token> tokens) {
     const std::size_t close = closing(tokens, open);
     std::size_t last = tokens.size();
     for (std::size_t at = open + 1; at < close; ++at) {
-      if (tokens[at].text == "{") at = closing(tokens, at);
-      else if (tokens[at].text == "case" || tokens[at].text == "default") last = at;
+      if (tokens[at].text == "{")
+        at = closing(tokens, at);
+      else if (tokens[at].text == "case" || tokens[at].text == "default")
+        last = at;
     }
     const std::size_t colon = colon_of(tokens, last);
     if (close < tokens.size() && colon + 1 < close && do_nothing(tokens, colon + 1, close))

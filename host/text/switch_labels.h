@@ -7,9 +7,9 @@
 
 namespace shadertwin::emit {
 
-// The tokens for the parser. Behind the last label of a switch glslang wants a statement that it keeps, and it
-// keeps no empty ones and no declarations without a value: such a label's colon becomes `: break;`, one token
-// still.
+// The tokens for the parser. Behind the last label of a switch glslang wants a statement that it keeps, and
+// it keeps no empty ones and no declarations without a value: such a label's colon becomes `: break;`, one
+// token still.
 std::vector<Token> with_kept_labels(std::vector<Token> tokens);
 
 }  // namespace shadertwin::emit

@@ -176,8 +176,7 @@ bool CppExpressions::order_shows(const std::vector<const TIntermTyped*>& operand
 std::vector<Expression> CppExpressions::in_order(const std::vector<const TIntermTyped*>& operands,
                                                  bool wide) {
   std::vector<bool> is_late;
-  for (const TIntermTyped* operand : operands)
-    is_late.push_back(is_read_late(*operand));
+  for (const TIntermTyped* operand : operands) is_late.push_back(is_read_late(*operand));
   std::vector<Expression> texts;
   for (std::size_t i = 0; i < operands.size(); ++i) {
     Expression text = expression(*operands[i]);
@@ -328,7 +327,8 @@ bool CppExpressions::place_comes_first(const TIntermTyped& left, const TIntermTy
 }
 
 // `ivec3(2, 1, 0)` for zyx, of the index's own type.
-std::string CppExpressions::component_table(const std::vector<int>& components, const TIntermTyped& index) const {
+std::string CppExpressions::component_table(const std::vector<int>& components,
+                                            const TIntermTyped& index) const {
   const bool is_unsigned = index.getBasicType() == EbtUint;
   std::string numbers;
   for (const int component : components)

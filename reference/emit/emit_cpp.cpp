@@ -125,8 +125,7 @@ class CppModule {
       }
       members.push_back({});
     }
-    std::vector<CppLine> initialisers =
-        packets ? packet_initialiser_lines(*uniformity) : initialiser_lines();
+    std::vector<CppLine> initialisers = packets ? packet_initialiser_lines(*uniformity) : initialiser_lines();
 
     const std::string space = packets ? "shadertwin::glsl::packet" : "shadertwin::glsl";
     text_.add(packets ? "#include \"reference/twin/packet_invocation.h\""

@@ -27,13 +27,14 @@ const std::set<std::string>& cpp_words() {
   return words;
 }
 
-// What the emitter writes. Everything else that the twin's headers declare may be hidden by the shader's names,
-// and macros are undefined.
+// What the emitter writes. Everything else that the twin's headers declare may be hidden by the shader's
+// names, and macros are undefined.
 const std::set<std::string>& emitted_words() {
   static const std::set<std::string> words = {
-      "Anonymous", "Bind", "Bool", "Float", "Int", "Invocation", "PixelLoop", "Shader", "Uint", "array",
-      "as_pixel", "at", "bind", "checked_divide", "divide", "glsl", "make", "mix_strict", "modulo", "output",
-      "packet", "shadertwin", "shift_left", "shift_right", "std", "swizzle", "uint", "unwritten"};
+      "Anonymous",  "Bind",       "Bool",        "Float",      "Int",     "Invocation", "PixelLoop",
+      "Shader",     "Uint",       "array",       "as_pixel",   "at",      "bind",       "checked_divide",
+      "divide",     "glsl",       "make",        "mix_strict", "modulo",  "output",     "packet",
+      "shadertwin", "shift_left", "shift_right", "std",        "swizzle", "uint",       "unwritten"};
   return words;
 }
 
@@ -50,15 +51,15 @@ const std::set<std::string>& builtin_functions() {
 
 // What C++ keeps for compilers, and the macros that the twin's code is exported by.
 bool is_reserved(const std::string& name) {
-  const bool by_underscore =
-      name.size() > 1 && name[0] == '_' && (name[1] == '_' || std::isupper(static_cast<unsigned char>(name[1])) != 0);
+  const bool by_underscore = name.size() > 1 && name[0] == '_' &&
+                             (name[1] == '_' || std::isupper(static_cast<unsigned char>(name[1])) != 0);
   return by_underscore || name.starts_with("SHADERTWIN");
 }
 
 std::string cpp_name(const std::string& name, bool is_global) {
   const std::string stem = name.substr(0, name.find_last_not_of('_') + 1);
-  const bool is_taken = cpp_words().count(stem) != 0 || emitted_words().count(stem) != 0 || is_reserved(stem) ||
-                        (is_global && builtin_functions().count(stem) != 0);
+  const bool is_taken = cpp_words().count(stem) != 0 || emitted_words().count(stem) != 0 ||
+                        is_reserved(stem) || (is_global && builtin_functions().count(stem) != 0);
   return is_taken || name.size() - stem.size() >= 2 ? name + '_' : name;
 }
 

@@ -6,9 +6,9 @@
 
 namespace shadertwin::emit {
 
-// What a name of the shader's is in C++: itself, or with one more underscore where C++ or the emitter has taken
-// it. Two names never become one: what is one of those but for underscores at its end gets one more, too. Names
-// that end in two underscores are the twin's own.
+// What a name of the shader's is in C++: itself, or with one more underscore where C++ or the emitter has
+// taken it. Two names never become one: what is one of those but for underscores at its end gets one more,
+// too. Names that end in two underscores are the twin's own.
 std::string cpp_name(const std::string& glsl_name);
 // The same for structures, functions and global variables, which would hide a built-in function.
 std::string global_cpp_name(const std::string& glsl_name);

@@ -1,6 +1,6 @@
 // What a twin that is compiled with SHADERTWIN_CHECK notes while it draws a pixel: undefined operations with
-// their place in the shader, where NaN and infinities first appear, how often loops turn, and, for pixels that
-// are traced, every value. Names end in two underscores, which the emitter gives to no name of a
+// their place in the shader, where NaN and infinities first appear, how often loops turn, and, for pixels
+// that are traced, every value. Names end in two underscores, which the emitter gives to no name of a
 // shader's.
 #pragma once
 

@@ -261,7 +261,7 @@ inline vec4 as_pixel(Float color) {
       shadertwin::twin::Description* description) {                                                  \
     using namespace shadertwin::glsl;                                                                \
     *description = {shadertwin::twin::abi_version, sizeof(Float) == sizeof(double),                  \
-                    Shader::uses_derivatives__, Shader::uses_implicit_lod__};                            \
+                    Shader::uses_derivatives__, Shader::uses_implicit_lod__};                        \
   }                                                                                                  \
   extern "C" __attribute__((visibility("default"))) void shadertwin_render(                          \
       const shadertwin::twin::Request* request) {                                                    \

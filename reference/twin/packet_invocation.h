@@ -270,8 +270,8 @@ SHADERTWIN_INLINE void unwritten(Bool mask, T& variable) {
   extern "C" __attribute__((visibility("default"))) void shadertwin_describe(                        \
       shadertwin::twin::Description* description) {                                                  \
     using namespace shadertwin::glsl::packet;                                                        \
-    *description = {shadertwin::twin::abi_version, false, Shader::uses_derivatives__,                  \
-                    Shader::uses_implicit_lod__};                                                      \
+    *description = {shadertwin::twin::abi_version, false, Shader::uses_derivatives__,                \
+                    Shader::uses_implicit_lod__};                                                    \
   }                                                                                                  \
   extern "C" __attribute__((visibility("default"))) void shadertwin_render(                          \
       const shadertwin::twin::Request* request) {                                                    \

@@ -136,8 +136,9 @@ TEST(EmitCpp, NamesThatDifferByUnderscoresStayApart) {
 }
 
 TEST(EmitCpp, MemberNamedAfterItsTypeIsRenamed) {
-  EXPECT_TRUE(contains(emitted("struct ray { vec3 d; };\nstruct hit { ray ray; };\nvec3 f(hit h) { return h.ray.d; }"),
-                       "ray ray_2;\n"));
+  EXPECT_TRUE(contains(
+      emitted("struct ray { vec3 d; };\nstruct hit { ray ray; };\nvec3 f(hit h) { return h.ray.d; }"),
+      "ray ray_2;\n"));
 }
 
 TEST(EmitCpp, GlobalNamedAfterABuiltinIsRenamed) {

@@ -27,6 +27,39 @@ TEST(Tokens, NumbersAreWhole) {
   EXPECT_EQ(joined("1.5e-3f+.5 0x1F-1"), "1.5e-3f@1 +@1 .5@1 0x1F@1 -@1 1@1");
 }
 
+TEST(Tokens, ASignBelongsToADecimalExponentOnly) {
+  EXPECT_EQ(joined("1.e+3 1e-3f 0x1e+3"), "1.e+3@1 1e-3f@1 0x1e@1 +@1 3@1");
+  EXPECT_EQ(joined("1e+ 1..2e+3 1e+3x"), "1e@1 +@1 1..2e@1 +@1 3@1 1e+3@1 x@1");
+}
+
+TEST(Tokens, OperatorsAreWhole) {
+  EXPECT_EQ(joined("a<<=b>>c<=d++ +--e"), "a@1 <<=@1 b@1 >>@1 c@1 <=@1 d@1 ++@1 +@1 --@1 e@1");
+}
+
+TEST(Tokens, SpaceBeforeATokenIsKnown) {
+  std::string spaced;
+  for (const Token& token : tokenize("a+ b/**/c\nd(e\\\nf")) spaced += token.space_before ? "1" : "0";
+  EXPECT_EQ(spaced, "10111000");
+}
+
+TEST(Tokens, WithoutStringsAQuoteIsPunctuation) {
+  const std::vector<Token> tokens = tokenize("\"/*\"*/ 'a", {.strings = false});
+  ASSERT_EQ(tokens.size(), 3U);
+  EXPECT_EQ(tokens[0].text, "\"");
+  EXPECT_EQ(tokens[1].text, "'");
+  EXPECT_EQ(tokens[2].text, "a");
+}
+
+TEST(Tokens, LineEndsAndAnOpenCommentAreTokensIfAskedFor) {
+  std::string kinds;
+  for (const Token& token : tokenize("a // b\n\n/*\n*/ c\n/* d\n", {.line_ends = true}))
+    kinds += (token.kind == Token::Kind::line_end       ? "\\"
+              : token.kind == Token::Kind::open_comment ? "*"
+                                                        : std::string(token.text)) +
+             std::to_string(token.line);
+  EXPECT_EQ(kinds, "a1\\1\\2c4\\4*5");
+}
+
 TEST(Tokens, AnApostropheEndsWithItsLine) {
   const std::vector<Token> tokens = tokenize("#error don't\nint x;");
   ASSERT_EQ(tokens.size(), 7U);

@@ -15,18 +15,21 @@ TEST_P(Green, EveryPixel) {
   int count = 0;
   for (const auto& entry :
        fs::directory_iterator(fs::path(SHADERTWIN_SOURCE_DIR) / "tests/emit/shaders/green")) {
-    SCOPED_TRACE(entry.path().filename().string());
-    ++count;
-    LoadOptions options;
-    options.dialect = Dialect::shadertoy;
-    try {
-      const Image image = pictures(load_project(entry.path(), options), 1, 64, 8).back();
-      int wrong = 0;
-      for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) wrong += pixel(image, x, y) != glm::vec4(0, 1, 0, 1);
-      EXPECT_EQ(wrong, 0) << "of " << image.width * image.height << " pixels";
-    } catch (const Error& error) {
-      ADD_FAILURE() << error.what();
+    for (const bool precise : {false, true}) {
+      SCOPED_TRACE(entry.path().filename().string() + (precise ? " --precise" : ""));
+      ++count;
+      LoadOptions options;
+      options.dialect = Dialect::shadertoy;
+      options.precise = precise;
+      try {
+        const Image image = pictures(load_project(entry.path(), options), 1, 64, 8).back();
+        int wrong = 0;
+        for (int y = 0; y < image.height; ++y)
+          for (int x = 0; x < image.width; ++x) wrong += pixel(image, x, y) != glm::vec4(0, 1, 0, 1);
+        EXPECT_EQ(wrong, 0) << "of " << image.width * image.height << " pixels";
+      } catch (const Error& error) {
+        ADD_FAILURE() << error.what();
+      }
     }
   }
   EXPECT_GT(count, 0);
