@@ -41,7 +41,7 @@ void add_project_options(CLI::App& command, PlayOptions& o) {
 }
 
 void add_init_option(CLI::App& command, PlayOptions& o) {
-  add_choice<Init, Init>(
+  add_choice<Undefined, Undefined>(
       command, "--init", o.init, {{"zero", Undefined::zero}, {"raw", Undefined::raw}},
       "zero: what a shader leaves undefined is what browsers make of it: variables and outputs that "
       "nothing wrote and returns that are missing are zero, indices are clamped; raw: it is what the "
