@@ -152,10 +152,11 @@ void add_play_options(CLI::App& command, PlayOptions& o) {
 }
 
 void add_on_option(CLI::App& command, PlayOptions& o) {
-  command.add_option("--on", o.on,
-                     "auto, egl, egl:N (shadertwin devices lists them) or osmesa, and /fragment or /compute "
-                     "if wanted; or cpu or "
-                     "cpu/double, the twin");
+  command.add_option(
+      "--on", o.on,
+      "auto, egl, egl:N (shadertwin devices lists them), llvmpipe or osmesa, and /fragment or /compute "
+      "if wanted; or cpu or "
+      "cpu/double, the twin");
 }
 
 TileRegion parse_tile(const std::string& text) {

@@ -16,8 +16,8 @@ namespace shadertwin::app {
 // compute.
 gl::Dispatch dispatch_of(const std::string& on);
 
-// `on`: auto | egl[:N] | osmesa, then /fragment or /compute if wanted; or cpu | cpu/double. Prints the
-// player's warnings unless --quiet, but not those in `told`, which keeps them. Throws Error(usage) for
+// `on`: auto | egl[:N] | llvmpipe | osmesa, then /fragment or /compute if wanted; or cpu | cpu/double. Prints
+// the player's warnings unless --quiet, but not those in `told`, which keeps them. Throws Error(usage) for
 // another name or an option that the player can't take, and what the player throws.
 std::unique_ptr<Player> open_player(const std::string& on, const Project& project, const PlayOptions& options,
                                     std::set<std::string>* told = nullptr);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <optional>
+#include <string_view>
 
 #include "host/base/error.h"
 #include "host/gl/egl_context.h"
@@ -67,6 +69,7 @@ void Context::load(const std::function<void*(const char*)>& get_proc_address, st
 
 std::unique_ptr<Context> open_context(const std::string& name) {
   if (name == "osmesa") return open_osmesa();
+  if (name == "llvmpipe") return open_software_egl();
   if (name == "egl") return open_egl(std::nullopt);
   if (name.starts_with("egl:")) {
     int index = -1;
@@ -78,7 +81,10 @@ std::unique_ptr<Context> open_context(const std::string& name) {
   }
   if (name != "auto")
     throw Error(ExitStatus::usage,
-                "--on " + name + ": unknown player (auto, egl, egl:N, osmesa, cpu or cpu/double)");
+                "--on " + name + ": unknown player (auto, egl, egl:N, llvmpipe, osmesa, cpu or cpu/double)");
+  if (const char* chosen = std::getenv("SHADERTWIN_DEVICE");
+      chosen != nullptr && *chosen != '\0' && std::string_view(chosen) != "auto")
+    return open_context(chosen);
   try {
     return open_egl(std::nullopt);
   } catch (const Error& no_egl) {
