@@ -95,7 +95,7 @@ void add_pass_option(CLI::App& command, PlayOptions& o) {
 
 void add_on_option(CLI::App& command, PlayOptions& o) {
   add_value(command, "--on", o.on, read_device,
-            "auto, egl, egl:N (shadertwin devices lists them) or osmesa, and /fragment or /compute "
+            "auto, egl, egl:N (shadertwin devices lists them), llvmpipe or osmesa, and /fragment or /compute "
             "if wanted; or cpu or cpu/double, the twin",
             o.on.text);
 }

@@ -23,7 +23,7 @@ struct Region {
 // A player, as --on names it.
 struct DeviceChoice {
   std::string text = "auto";    // as it was typed
-  std::string device = "auto";  // auto, egl, egl:N or osmesa; of the twin, cpu
+  std::string device = "auto";  // auto, egl, egl:N, llvmpipe or osmesa; of the twin, cpu
   gl::Dispatch dispatch = gl::Dispatch::automatic;
   bool double_precision = false;  // of the twin
 

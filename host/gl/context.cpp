@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <optional>
+#include <string_view>
 
 #include "host/base/error.h"
 #include "host/gl/egl_context.h"
@@ -75,14 +77,19 @@ void Context::load(const std::function<void*(const char*)>& get_proc_address, st
 }
 
 bool is_device_name(const std::string& name) {
-  return name == "auto" || name == "egl" || name == "osmesa" || egl_index(name).has_value();
+  return name == "auto" || name == "egl" || name == "llvmpipe" || name == "osmesa" ||
+         egl_index(name).has_value();
 }
 
 std::unique_ptr<Context> open_context(const std::string& name) {
   if (!is_device_name(name))
-    throw Error(ExitStatus::usage, name + ": unknown device (auto, egl, egl:N with N from 0, or osmesa)");
+    throw Error(ExitStatus::usage, name + ": unknown device (auto, egl, egl:N with N from 0, llvmpipe or osmesa)");
   if (name == "osmesa") return open_osmesa();
+  if (name == "llvmpipe") return open_software_egl();
   if (name != "auto") return open_egl(egl_index(name));
+  if (const char* chosen = std::getenv("SHADERTWIN_DEVICE");
+      chosen != nullptr && *chosen != '\0' && std::string_view(chosen) != "auto")
+    return open_context(chosen);
   try {
     return open_egl(std::nullopt);
   } catch (const Error& no_egl) {

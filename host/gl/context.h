@@ -50,9 +50,10 @@ class Context {
   std::vector<std::string> extensions_;
 };
 
-// Opens the device that the user calls `name`: "auto", "egl", "egl:N" or "osmesa". auto and egl prefer
-// hardware; auto falls back to OSMesa. Throws Error(device) if it can't be had, Error(usage) for an unknown
-// name.
+// Opens the device that the user calls `name`: "auto", "egl", "egl:N", "llvmpipe" or "osmesa". auto is the
+// device that the environment variable SHADERTWIN_DEVICE names; without it, auto and egl prefer hardware, and
+// auto falls back to OSMesa. llvmpipe is the EGL device that draws on the processor, also where there is a
+// GPU. Throws Error(device) if it can't be had, Error(usage) for an unknown name.
 std::unique_ptr<Context> open_context(const std::string& name);
 // Whether open_context() knows the name; the device need not be there.
 bool is_device_name(const std::string& name);

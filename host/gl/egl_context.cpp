@@ -3,6 +3,7 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -131,6 +132,16 @@ std::unique_ptr<Context> open_egl(std::optional<int> index) {
       }
     }
   throw Error(ExitStatus::device, problem);
+}
+
+std::unique_ptr<Context> open_software_egl() {
+  const auto egl = std::make_shared<const Egl>();
+  const auto found = platforms(*egl);
+  const auto software =
+      std::find_if(found.begin(), found.end(), [](const Platform& p) { return p.software; });
+  if (software == found.end())
+    throw Error(ExitStatus::device, "llvmpipe: no EGL device here draws on the processor");
+  return std::make_unique<EglContext>(egl, *software, static_cast<int>(software - found.begin()));
 }
 
 }  // namespace shadertwin::gl

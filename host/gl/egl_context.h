@@ -15,4 +15,7 @@ int count_egl();
 // Error(device).
 std::unique_ptr<Context> open_egl(std::optional<int> index);
 
+// Opens the device that draws on the processor, whatever GPUs there are. Throws Error(device).
+std::unique_ptr<Context> open_software_egl();
+
 }  // namespace shadertwin::gl

@@ -69,7 +69,7 @@ TEST_F(BadInput, CommandLine) {
 
 TEST_F(BadInput, Shaders) {
   folder.write("brace.glsl", "float f(float x) {\n  if (x > 0.5) { return x;\n}\n" + std::string(plain));
-  for (const std::string on : {"egl/fragment", "egl/compute", "osmesa", "cpu", "cpu/double"})
+  for (const std::string on : {"llvmpipe/fragment", "llvmpipe/compute", "osmesa", "cpu", "cpu/double"})
     expect(3, "brace.glsl --on " + on, {"brace.glsl:4: error:"});
   expect(4, "none.glsl", {"none.glsl"});
   expect(4, "out", {"image.glsl"});
@@ -138,14 +138,14 @@ TEST_F(BadInput, NoOpenGlAtAll) {
   // Libraries of those names that are no libraries, found first.
   folder.write("broken/libEGL.so.1", "nothing");
   folder.write("broken/libOSMesa.so.8", "nothing");
-  const std::string hide = "LD_LIBRARY_PATH='" + (folder / "broken").string() + "'";
+  const std::string hide = "env -u SHADERTWIN_DEVICE LD_LIBRARY_PATH='" + (folder / "broken").string() + "'";
   expect(5, "ok.glsl", {"libEGL", "libOSMesa", "apt install"}, hide);
   expect(5, "ok.glsl --on egl", {"libEGL"}, hide);
   expect(5, "ok.glsl --on osmesa", {"libOSMesa"}, hide);
   // One of the two is enough.
   folder.write("half/libEGL.so.1", "nothing");
-  const Outcome osmesa =
-      run(folder, "render ok.glsl -o a.png", "LD_LIBRARY_PATH='" + (folder / "half").string() + "'");
+  const Outcome osmesa = run(folder, "render ok.glsl -o a.png",
+                             "env -u SHADERTWIN_DEVICE LD_LIBRARY_PATH='" + (folder / "half").string() + "'");
   EXPECT_EQ(osmesa.status, 0) << osmesa.err;
 }
 

@@ -31,9 +31,9 @@ TEST(Debug, StopsAtTheFrameAndPixelThatWereAskedFor) {
           "'print sum' --command 'print p' "
           "--command continue");
   EXPECT_NE(outcome.out.find("a.glsl:2"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("$1 = 3"), std::string::npos) << outcome.out;  // three frames were added up
-  EXPECT_NE(outcome.out.find("$2 = (3.5, 2.5)"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("pixel 3,2 of a in frame 3: 4 4 4 4"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("$1 = 3\n"), std::string::npos) << outcome.out;  // three frames were added up
+  EXPECT_NE(outcome.out.find("$2 = (3.5, 2.5)\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("pixel 3,2 of a in frame 3: 4 4 4 4\n"), std::string::npos) << outcome.out;
 }
 
 TEST(Debug, RefusesAPixelOutsideAndAMissingDebugger) {

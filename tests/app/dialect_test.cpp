@@ -54,7 +54,7 @@ TEST(CubemapPass, KeepsHalfFloatsTheSameOnOpenGlAndTheTwin) {
       "#iChannel0 \"cubemap_a.glsl\"\n#iChannel0::MinFilter \"Nearest\"\n#iChannel0::MagFilter \"Nearest\"\n"
       "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, vec3(1, p.x / 9., 0)); }\n");
   const Outcome outcome =
-      run(folder, "compare tabs --on egl --on cpu --size 4x2 --max-ulp 0 --min-equal 100");
+      run(folder, "compare tabs --on llvmpipe --on cpu --size 4x2 --max-ulp 0 --min-equal 100");
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
   ASSERT_EQ(run(folder, "render tabs --size 1x1 -o a.exr").err, "");
   const glm::vec4 kept = pixel(read_image(folder / "a.exr"), 0, 0);
@@ -100,7 +100,7 @@ TEST_F(Vr, EyesStandSideBySideEachWithItsOwnPixelsAndPlace) {
 
 TEST_F(Vr, TwinDrawsTheSameBits) {
   const Outcome outcome =
-      run(folder, "compare vr.glsl --vr --on egl --on cpu --size 8x4 --max-ulp 0 --min-equal 100");
+      run(folder, "compare vr.glsl --vr --on llvmpipe --on cpu --size 8x4 --max-ulp 0 --min-equal 100");
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 

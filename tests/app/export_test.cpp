@@ -82,17 +82,49 @@ TEST(Export, NoShaderCanEndThePagesScript) {
   EXPECT_EQ(contents(folder / "page.html").find("</script><b>"), std::string::npos);
 }
 
-// A compiler takes it as it takes the twin's own.
-TEST(Export, CppCompiles) {
+// Each pass becomes a program that draws the pixel (3, 1) of 8x4, with nothing on its channels: opaque black.
+TEST(Export, CppCompilesAndDraws) {
   const ScratchFolder folder;
   write_shader(folder);
   const Outcome outcome = run(folder, "export image.glsl -D LEVEL=0.5 --to cpp -o cpp");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  for (const char* name : {"image.cpp", "state.cpp"}) {
-    const std::string command = "c++ -std=c++20 -fsyntax-only -I'" SHADERTWIN_SOURCE_DIR "' '" +
-                                (folder / "cpp" / name).string() + "' 2>&1";
-    EXPECT_EQ(std::system(command.c_str()), 0) << contents(folder / "cpp" / name);
-  }
+  folder.write("draw.cpp", R"(
+#include PASS
+#include <cstdio>
+int main() {
+  using namespace shadertwin::twin;
+  Description description;
+  shadertwin_describe(&description);
+  if (description.abi != abi_version) return 1;
+  const float resolution[3] = {8, 4, 1};
+  const float speed = 0.25F;
+  const UniformValue uniforms[] = {{"iResolution", UniformValue::Kind::float32, resolution, 3},
+                                   {"speed", UniformValue::Kind::float32, &speed, 1}};
+  const std::atomic<bool> stop = false;
+  float pixel[4] = {};
+  Request request;
+  request.uniforms = uniforms;
+  request.uniform_count = 2;
+  request.x0 = 3;
+  request.y0 = 1;
+  request.x1 = 4;
+  request.y1 = 2;
+  request.pixels = pixel;
+  request.row_pitch = 4;
+  request.stop = &stop;
+  shadertwin_render(&request);
+  std::printf("%g %g %g %g", pixel[0], pixel[1], pixel[2], pixel[3]);
+})");
+  const auto draw = [&](const std::string& pass) {
+    const std::string command = "cd '" + folder.path().string() +
+                                "' && c++ -std=c++20 -ffp-contract=off -w -I'" SHADERTWIN_SOURCE_DIR
+                                "' -DPASS='\"cpp/" +
+                                pass + ".cpp\"' draw.cpp -o draw && ./draw >drawn";
+    EXPECT_EQ(std::system(command.c_str()), 0) << contents(folder / "cpp" / (pass + ".cpp"));
+    return contents(folder / "drawn");
+  };
+  EXPECT_EQ(draw("state"), "0.25 0.4375 0.125 2");  // 3.5 / 8, and no key is held
+  EXPECT_EQ(draw("image"), "0 0 0 1");
 }
 
 TEST(Export, AFolderThatIsThereStaysAsItIs) {

@@ -94,12 +94,24 @@ TEST(Unfinished, IgnoredSignalStaysIgnored) {
   EXPECT_FALSE(fs::exists(folder / "a"));
 }
 
+// There is room for 256 names. The 257th and later ones stay behind, and room that is given back is used
+// again.
 TEST(Unfinished, MoreThanFitAreLeftAlone) {
+  constexpr int room = 256;
+  constexpr int count = 300;
   const ScratchFolder folder;
-  std::vector<Unfinished> many;
-  for (int i = 0; i < 300; ++i) many.emplace_back(folder / std::to_string(i));
-  many.clear();
-  const Unfinished again(folder / "a");
+  EXPECT_TRUE(interrupted(SIGINT, folder / "sign", [&] {
+    auto* many = new std::vector<Unfinished>;
+    for (int i = 0; i < count; ++i) {
+      many->emplace_back(folder / std::to_string(i));
+      write_text(folder / std::to_string(i), "");
+    }
+    many->erase(many->begin() + 7);
+    many->emplace_back(folder / "late");
+    write_text(folder / "late", "");
+  }));
+  for (int i = 0; i < count; ++i) EXPECT_EQ(fs::exists(folder / std::to_string(i)), i == 7 || i >= room) << i;
+  EXPECT_FALSE(fs::exists(folder / "late"));
 }
 
 }  // namespace

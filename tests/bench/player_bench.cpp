@@ -131,8 +131,8 @@ void scene_0(benchmark::State& state, const char* device) {
   }
 }
 
-#define SHADERTWIN_ON_BOTH(function)                                                     \
-  BENCHMARK_CAPTURE(function, egl, "egl")->Unit(benchmark::kMillisecond)->UseRealTime(); \
+#define SHADERTWIN_ON_BOTH(function)                                                               \
+  BENCHMARK_CAPTURE(function, llvmpipe, "llvmpipe")->Unit(benchmark::kMillisecond)->UseRealTime(); \
   BENCHMARK_CAPTURE(function, osmesa, "osmesa")->Unit(benchmark::kMillisecond)->UseRealTime()
 
 SHADERTWIN_ON_BOTH(bare_draw);

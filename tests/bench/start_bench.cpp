@@ -122,9 +122,9 @@ void compile(benchmark::State& state, const char* device) {
 }
 
 BENCHMARK(process)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(start, egl, "egl")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(start, llvmpipe, "llvmpipe")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(start, osmesa, "osmesa")->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(compile, egl, "egl")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(compile, llvmpipe, "llvmpipe")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(compile, osmesa, "osmesa")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

@@ -59,7 +59,7 @@ void play(benchmark::State& state, Player& player, const Project& project) {
 
 void llvmpipe(benchmark::State& state, Project (*load)()) {
   const Project project = load();
-  const auto player = gl::GlPlayer::create(gl::open_context("egl"), project, {gl::Dispatch::fragment});
+  const auto player = gl::GlPlayer::create(gl::open_context("llvmpipe"), project, {gl::Dispatch::fragment});
   play(state, *player, project);
 }
 

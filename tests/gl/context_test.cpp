@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <optional>
 #include <thread>
 
 #include "host/base/error.h"
@@ -46,6 +48,40 @@ TEST(Context, ListsWhatItCanOpenByThoseNames) {
     EXPECT_GE(device.max_size, 2048);
     EXPECT_FALSE(device.vendor.empty());
   }
+}
+
+TEST(Context, LlvmpipeIsOnTheProcessorWhateverElseThereIs) {
+  const DeviceInfo device = open_context("llvmpipe")->info();
+  EXPECT_TRUE(device.software);
+  EXPECT_TRUE(device.renderer.starts_with("llvmpipe")) << device.renderer;
+  EXPECT_TRUE(device.name.starts_with("egl:")) << device.name;
+}
+
+// A variable of the environment, as it was at the end.
+class Variable {
+ public:
+  Variable(const char* name, const char* value) : name_(name) {
+    if (const char* text = std::getenv(name)) before_ = text;
+    setenv(name, value, 1);
+  }
+  ~Variable() {
+    if (before_)
+      setenv(name_, before_->c_str(), 1);
+    else
+      unsetenv(name_);
+  }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> before_;
+};
+
+TEST(Context, TheEnvironmentNamesTheDeviceOfAuto) {
+  const Variable device("SHADERTWIN_DEVICE", "osmesa");
+  EXPECT_EQ(open_context("auto")->info().name, "osmesa");
+  EXPECT_TRUE(open_context("egl")->info().name.starts_with("egl:"));
 }
 
 ExitStatus status_of(const std::string& name) {

@@ -55,11 +55,11 @@ class OnEveryDevice : public testing::TestWithParam<Device> {
   ScratchFolder folder;
 };
 
-#define SHADERTWIN_ON_EVERY_DEVICE(suite)                                                                 \
-  INSTANTIATE_TEST_SUITE_P(                                                                               \
-      , suite,                                                                                            \
-      testing::Values(Device{"egl", gl::Dispatch::fragment}, Device{"egl", gl::Dispatch::compute},        \
-                      Device{"osmesa", gl::Dispatch::fragment}, Device{"osmesa", gl::Dispatch::compute}), \
+#define SHADERTWIN_ON_EVERY_DEVICE(suite)                                                                    \
+  INSTANTIATE_TEST_SUITE_P(                                                                                  \
+      , suite,                                                                                               \
+      testing::Values(Device{"llvmpipe", gl::Dispatch::fragment}, Device{"llvmpipe", gl::Dispatch::compute}, \
+                      Device{"osmesa", gl::Dispatch::fragment}, Device{"osmesa", gl::Dispatch::compute}),    \
       device_name)
 
 inline glm::vec4 pixel(const Image& image, int x = 0, int y = 0) {

@@ -2,6 +2,7 @@
 #include "host/media/video_writer.h"
 #include "host/text/load.h"
 #include "tests/gl/play.h"
+#include "tests/skip.h"
 
 namespace shadertwin {
 namespace {
@@ -70,7 +71,7 @@ TEST_P(Video, IsBlackWithOneWarningWhereTheFileIsMissing) {
 }
 
 TEST_P(Video, WithoutACameraTheWebcamIsBlackWithOneWarning) {
-  if (std::filesystem::exists("/dev/video0")) GTEST_SKIP() << "there is a camera";
+  if (std::filesystem::exists("/dev/video0")) SHADERTWIN_SKIP("no-camera", "there is a camera");
   const Project project = video_shader(folder, "webcam", "", "true");
   EXPECT_TRUE(project.warnings.empty());
   const auto player = play(project);

@@ -40,13 +40,6 @@ GlDraw::GlDraw(const std::string& device) : context_(gl::open_context(device)) {
   context_->make_current();
 }
 
-std::string GlDraw::llvmpipe() {
-  for (const gl::DeviceInfo& device : gl::list_devices()) {
-    if (device.renderer.find("llvmpipe") != std::string::npos) return device.name;
-  }
-  return {};
-}
-
 void GlDraw::bind(const Texture& texture, const shadertwin::Sampler& sampler, bool mipmaps) {
   context_->make_current();
   const gl::Functions& gl = context_->functions();

@@ -21,9 +21,6 @@ class GlDraw {
   // What `uniform sampler... s` of later shaders reads.
   void bind(const Texture& texture, const shadertwin::Sampler& sampler, bool mipmaps);
 
-  // Name of a device that is Mesa's llvmpipe, whose bits the twin has; empty if this machine has none.
-  static std::string llvmpipe();
-
   const gl::DeviceInfo& info() const { return context_->info(); }
 
  private:

@@ -37,6 +37,7 @@ struct Sound {
   std::int64_t samples = 0;  // of one channel, as the first audio stream decodes
   std::int64_t stated = 0;   // by the container
   int rate = 0;
+  std::vector<float> left;  // the first channel; empty unless it decodes to planes of floats
 };
 inline Sound decode_sound(const std::filesystem::path& file) {
   const InputFormat input = open_input(file);
@@ -45,15 +46,20 @@ inline Sound decode_sound(const std::filesystem::path& file) {
   const PacketPointer packet = make_packet();
   const FramePointer frame = make_frame();
   const AVStream& stream = *input->streams[index];
-  Sound sound{0, av_rescale_q(stream.duration, stream.time_base, {1, codec->sample_rate}),
-              codec->sample_rate};
+  Sound sound{
+      0, av_rescale_q(stream.duration, stream.time_base, {1, codec->sample_rate}), codec->sample_rate, {}};
   bool more = true;
   while (more) {
     more = av_read_frame(input.get(), packet.get()) >= 0;
     if (!more || packet->stream_index == index)
       avcodec_send_packet(codec.get(), more ? packet.get() : nullptr);
     av_packet_unref(packet.get());
-    while (avcodec_receive_frame(codec.get(), frame.get()) >= 0) sound.samples += frame->nb_samples;
+    while (avcodec_receive_frame(codec.get(), frame.get()) >= 0) {
+      sound.samples += frame->nb_samples;
+      if (frame->format != AV_SAMPLE_FMT_FLTP) continue;
+      const auto* plane = reinterpret_cast<const float*>(frame->data[0]);
+      sound.left.insert(sound.left.end(), plane, plane + frame->nb_samples);
+    }
   }
   return sound;
 }

@@ -106,7 +106,7 @@ Table run(const Backend& backend, const Probe& probe, std::size_t cases, const f
 
 const std::vector<Backend>& backends() {
   static const std::vector<Backend> all = {
-      {"gl", [](const Project& project) { return gl::GlPlayer::create(gl::open_context("egl"), project); }},
+      {"gl", [](const Project& project) { return gl::GlPlayer::create(gl::open_context("auto"), project); }},
       {"cpu", [](const Project& project) { return twin::TwinPlayer::create(project); }},
       {"cpu_double",
        [](const Project& project) {

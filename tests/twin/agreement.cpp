@@ -36,7 +36,7 @@ std::unique_ptr<Player> open_gl(const std::string& device, const Project& projec
 }
 
 std::vector<Runner> runners(const Project& project, const AgreementOptions& options, Silent& silent) {
-  std::vector<Runner> list = {{"egl", [&] { return open_gl("egl", project); }}};
+  std::vector<Runner> list = {{"llvmpipe", [&] { return open_gl("llvmpipe", project); }}};
   if (options.osmesa) list.push_back({"osmesa", [&] { return open_gl("osmesa", project); }});
   const auto twin = [&](const std::string& name, const twin::TwinOptions& how) {
     list.push_back({name, [&project, how] { return twin::TwinPlayer::create(project, how); }});

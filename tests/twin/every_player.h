@@ -79,9 +79,10 @@ inline std::string player_name(const testing::TestParamInfo<std::string>& player
   return name;
 }
 
-#define SHADERTWIN_ON_EVERY_PLAYER(suite)                                                              \
-  INSTANTIATE_TEST_SUITE_P(                                                                            \
-      , suite, testing::Values("egl/fragment", "egl/compute", "osmesa/fragment", "cpu", "cpu/double"), \
+#define SHADERTWIN_ON_EVERY_PLAYER(suite)                                                               \
+  INSTANTIATE_TEST_SUITE_P(                                                                             \
+      , suite,                                                                                          \
+      testing::Values("llvmpipe/fragment", "llvmpipe/compute", "osmesa/fragment", "cpu", "cpu/double"), \
       player_name)
 
 }  // namespace shadertwin

@@ -58,7 +58,7 @@ class Language : public testing::TestWithParam<fs::path> {};
 void expect_same_frames(const Project& project, float relative) {
   const auto twin = twin::TwinPlayer::create(project);
   const auto gl =
-      gl::GlPlayer::create(gl::open_context("egl"), project, {.dispatch = gl::Dispatch::fragment});
+      gl::GlPlayer::create(gl::open_context("llvmpipe"), project, {.dispatch = gl::Dispatch::fragment});
   Schedule schedule;
   schedule.width = 17;
   schedule.height = 9;

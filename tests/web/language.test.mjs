@@ -65,7 +65,7 @@ function rendered(name, code) {
   writeFileSync(path.join(project, 'shadertoy.json'), '{"Image": {"iChannel0": {"buffer": "Buffer A"}}}');
   const output = path.join(folder, `${name}.exr`);
   execFileSync(shadertwin, [
-    'render', project, '--quiet', '--on', 'egl/fragment', '--pass', 'Buffer A',
+    'render', project, '--quiet', '--on', 'llvmpipe/fragment', '--pass', 'Buffer A',
     '--size', `${size.width}x${size.height}`, '-o', output,
   ]);
   return readExr(output);

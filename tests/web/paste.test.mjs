@@ -70,7 +70,7 @@ function render(arguments_, pass, hand = drag) {
   const output = path.join(folder, 'frame.exr');
   const mouse = hand.flatMap((s) => ['--mouse', `${s.x},${s.y}${s.down ? ',down' : ''}@${s.frame}`]);
   execFileSync(shadertwin, [
-    'render', ...arguments_, '--quiet', '--on', 'egl/fragment', '--pass', pass, '--frames', String(frames),
+    'render', ...arguments_, '--quiet', '--on', 'llvmpipe/fragment', '--pass', pass, '--frames', String(frames),
     '--size', `${size.width}x${size.height}`, ...mouse, '-o', output,
   ]);
   return readExr(output);

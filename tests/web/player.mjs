@@ -77,7 +77,7 @@ export async function readPass(page, name) {
 // The same frames by the command line; `output` is an .exr that is written.
 export function renderPass(shader, pass, { size, frames, fps = 60, mouse = [], keys = [], options = [] }, output) {
   execFileSync(shadertwin, [
-    'render', shader, '--quiet', '--on', 'egl/fragment', '--pass', pass, '--size', size.join('x'),
+    'render', shader, '--quiet', '--on', 'llvmpipe/fragment', '--pass', pass, '--size', size.join('x'),
     '--frames', String(frames), '--fps', String(fps), '-o', output, ...options,
     ...mouse.flatMap((text) => ['--mouse', text]),
     ...keys.flatMap((text) => ['--keys', text]),

@@ -25,7 +25,7 @@ after(async () => {
 function casesOf(file) {
   const cases = [];
   for (const text of readFileSync(path.join(here, '../check', file), 'utf8').split('\n')) {
-    const [, place, written] = /^(in|out|all|buffer): (.*)$/.exec(text) ?? [];
+    const [, place, written] = /^(in|out|all|buffer): (.*?)(?:  => .*)?$/.exec(text) ?? [];
     if (!place) continue;
     let code = written.replaceAll('\\n', '\n');
     if (place === 'in') code = `void mainImage(out vec4 c, in vec2 p) {\n${code}\n}\n`;
