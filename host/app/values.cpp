@@ -152,7 +152,7 @@ DeviceChoice read_device(const std::string& text) {
   choice.text = text;
   choice.device = text.substr(0, slash);
   if (!choice.is_twin() && !gl::is_device_name(choice.device))
-    fail("unknown player (auto, egl, egl:N, osmesa, cpu or cpu/double)");
+    fail("unknown player (auto, egl, egl:N, llvmpipe, osmesa, cpu or cpu/double)");
   if (slash == std::string::npos) return choice;
   if (choice.is_twin()) {
     if (how != "double") fail("expected cpu or cpu/double");
