@@ -4,6 +4,7 @@
 #include <cstring>
 #include <utility>
 
+#include "host/base/assert.h"
 #include "host/player/inputs.h"
 
 namespace shadertwin::twin {
@@ -76,6 +77,7 @@ float* Picture::values() {
 }
 
 void Picture::round_from(const std::vector<double>& wide) {
+  SHADERTWIN_ASSERT_EQ(wide.size() * sizeof(float), texture_.data.size());
   std::transform(wide.begin(), wide.end(), values(), [](double value) { return static_cast<float>(value); });
 }
 
