@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "host/base/assert.h"
+
 namespace shadertwin {
 
 namespace {
@@ -46,6 +48,8 @@ std::uint32_t ulp_distance(float a, float b) {
 }
 
 std::array<ChannelDifference, 4> compare(const Image& a, const Image& b) {
+  SHADERTWIN_ASSERT_EQ(a.width, b.width);
+  SHADERTWIN_ASSERT_EQ(a.height, b.height);
   std::array<ChannelDifference, 4> result;
   const std::size_t pixels = a.rgba.size() / 4;
   std::vector<std::uint32_t> distances(pixels);
@@ -75,6 +79,7 @@ std::array<ChannelDifference, 4> compare(const Image& a, const Image& b) {
 }
 
 Image heatmap(const Image& a, const Image& b) {
+  SHADERTWIN_ASSERT_EQ(a.rgba.size(), b.rgba.size());
   Image map(a.width, a.height);
   for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
     std::uint32_t distance = 0;

@@ -4,6 +4,8 @@
 #include <array>
 #include <bit>
 
+#include "host/base/assert.h"
+
 namespace shadertwin::gl {
 
 namespace {
@@ -37,6 +39,7 @@ TextureObject upload(const Functions& gl, const Texture& texture, bool mipmaps) 
   gl.BindTexture(target, object.name());
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   const std::size_t face_bytes = texture.texel_bytes() * texture.width * texture.height * texture.depth;
+  SHADERTWIN_ASSERT_EQ(texture.data.size(), face_bytes * static_cast<std::size_t>(texture.faces));
   if (target == GL_TEXTURE_3D) {
     gl.TexStorage3D(target, levels, format, texture.width, texture.height, texture.depth);
     gl.TexSubImage3D(target, 0, 0, 0, 0, texture.width, texture.height, texture.depth, GL_RGBA, type,

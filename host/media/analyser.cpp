@@ -9,6 +9,8 @@ extern "C" {
 #include <libavutil/tx.h>
 }
 
+#include "host/base/assert.h"
+
 namespace shadertwin::media {
 
 namespace {
@@ -48,6 +50,7 @@ Analyser::Analyser(std::size_t size)
 Analyser::~Analyser() = default;
 
 void Analyser::hear(std::span<const float> samples) {
+  SHADERTWIN_ASSERT_EQ(samples.size(), samples_.size());
   std::copy_n(samples.begin(), samples_.size(), samples_.begin());
   for (std::size_t i = 0; i < window_.size(); ++i) transform_->input[i] = window_[i] * samples_[i];
   transform_->run(transform_->context, transform_->output.data(), transform_->input.data(), sizeof(double));

@@ -2,6 +2,8 @@
 
 #include <new>
 
+#include "host/base/assert.h"
+
 namespace shadertwin::media {
 
 FramePointer make_picture_frame(AVPixelFormat format, int width, int height) {
@@ -14,6 +16,8 @@ FramePointer make_picture_frame(AVPixelFormat format, int width, int height) {
 }
 
 void fill_rgb(const Image& picture, AVFrame& frame) {
+  SHADERTWIN_ASSERT_EQ(picture.width, frame.width);
+  SHADERTWIN_ASSERT_EQ(picture.height, frame.height);
   for (int y = 0; y < picture.height; ++y) {
     const float* from = picture.at(0, picture.height - 1 - y);
     std::uint8_t* to = frame.data[0] + static_cast<std::ptrdiff_t>(frame.linesize[0]) * y;

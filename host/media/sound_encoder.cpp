@@ -10,6 +10,8 @@ extern "C" {
 #include <cstring>
 #include <new>
 
+#include "host/base/assert.h"
+
 namespace shadertwin::media {
 
 namespace {
@@ -69,6 +71,7 @@ void SoundEncoder::convert(const float* samples, int count) {
 }
 
 void SoundEncoder::add(std::span<const float> samples) {
+  SHADERTWIN_ASSERT_EQ(samples.size() % 2, 0U);
   constexpr std::size_t block = 2 * 4096;
   for (std::size_t at = 0; at < samples.size(); at += block) {
     const std::size_t size = std::min(block, samples.size() - at);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "host/base/assert.h"
 #include "host/base/error.h"
 #include "host/project/kinds.h"
 
@@ -33,6 +34,7 @@ void Sound::read(std::span<float> stereo) {
       samples_ = blocks_(block);
       block_ = block;
     }
+    SHADERTWIN_ASSERT_EQ(samples_.rgba.size(), std::size_t{4} * sound_block_samples);
     const float* sample = &samples_.rgba[static_cast<std::size_t>(next_ % sound_block_samples) * 4];
     stereo[i] = checked(sample[0]);
     stereo[i + 1] = checked(sample[1]);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "host/base/assert.h"
 #include "reference/glsl/denormals.h"
 #include "reference/glsl/mipmaps.h"
 #include "reference/glsl/sample.h"
@@ -57,6 +58,8 @@ BoundTexture bound(const TextureImage* image, const shadertwin::Sampler& sampler
 }  // namespace
 
 TextureImage::TextureImage(const Texture& texture, bool mipmaps) {
+  SHADERTWIN_ASSERT_EQ(texture.data.size(), texture.texel_bytes() * texture.width * texture.height *
+                                                texture.depth * texture.faces);
   view_.is_float = texture.format == Texture::Format::rgba32f;
   view_.levels = 1;
   view_.level[0] = {texture.data.data(), texture.width, texture.height, texture.depth};

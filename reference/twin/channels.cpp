@@ -4,6 +4,7 @@
 #include <cstring>
 #include <utility>
 
+#include "host/base/assert.h"
 #include "host/player/inputs.h"
 #include "host/player/keyboard.h"
 
@@ -77,6 +78,7 @@ float* Picture::values() {
 }
 
 void Picture::round_from(const std::vector<double>& wide) {
+  SHADERTWIN_ASSERT_EQ(wide.size() * sizeof(float), texture_.data.size());
   std::transform(wide.begin(), wide.end(), values(), [](double value) { return static_cast<float>(value); });
 }
 

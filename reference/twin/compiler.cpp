@@ -76,7 +76,14 @@ bool can_write(const fs::path& folder) {
   return !failed && access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
+// Names the folder in which twins are made anew and their C++ stays.
+const char* kept_folder() {
+  const char* folder = std::getenv("SHADERTWIN_KEEP_CPP");
+  return folder != nullptr && *folder != '\0' ? folder : nullptr;
+}
+
 fs::path user_cache() {
+  if (const char* folder = kept_folder()) return fs::absolute(folder);
   if (const char* folder = std::getenv("XDG_CACHE_HOME"); folder != nullptr && *folder == '/')
     return fs::path(folder) / "shadertwin";
   if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/')
@@ -227,7 +234,10 @@ void Compiler::compile(const std::string& source, const fs::path& object,
   }
   fs::rename(result, object, failed);
   if (failed) throw Error(ExitStatus::file, object.string() + ": " + failed.message());
-  fs::remove(text, failed);
+  if (kept_folder() != nullptr)
+    fs::rename(text, object.parent_path() / (object.stem().string() + ".cpp"), failed);
+  else
+    fs::remove(text, failed);
 }
 
 }  // namespace shadertwin::twin

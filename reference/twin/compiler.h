@@ -31,7 +31,8 @@ class Compiler {
   std::string name() const { return program_.filename().string(); }
 
   // Where compiled twins are kept: $XDG_CACHE_HOME/shadertwin, else ~/.cache/shadertwin. If that can't be
-  // written, a folder of this object's own under the system's temporary folder.
+  // written, a folder of this object's own under the system's temporary folder. The environment variable
+  // SHADERTWIN_KEEP_CPP names another folder, in which the C++ of each twin then stays beside it.
   const std::filesystem::path& cache() const { return cache_; }
 
   // The name of a twin's shared object in the cache. `text` is whatever decides what the twin is.

@@ -1,7 +1,6 @@
 // The base of every emitted shader: what GLSL gives an invocation, and the loop over pixels.
 #pragma once
 
-#include <csetjmp>
 #include <cstring>
 
 #include "reference/glsl/denormals.h"
@@ -12,6 +11,9 @@
 
 namespace shadertwin::glsl {
 
+// Ends an invocation. Checking twins keep objects with destructors on the stack.
+struct Stopped {};
+
 struct Invocation : twin::Checks {
   vec4 gl_FragCoord{};
   bool gl_FrontFacing = true;
@@ -19,7 +21,7 @@ struct Invocation : twin::Checks {
   Float gl_FragDepth{};
 
   // Ends this pixel: discard, or a loop that has to stop.
-  [[noreturn]] void stop_invocation__() { std::longjmp(end__, 1); }
+  [[noreturn, gnu::cold, gnu::noinline]] static void stop_invocation__() { throw Stopped{}; }
 
   void loop_guard__() {
     if ((++rounds__ & 0xfffu) == 0 && stop__->load(std::memory_order_relaxed)) stop_invocation__();
@@ -108,7 +110,6 @@ struct Invocation : twin::Checks {
     return quad;
   }
 
-  std::jmp_buf end__;
   const std::atomic<bool>* stop__ = nullptr;
   unsigned rounds__ = 0;
   twin::QuadExchange* quad__ = nullptr;
@@ -216,13 +217,22 @@ class PixelLoop {
     for (int i = 0; i < 4; ++i) pixel[i] = color[i];
   }
 
+  static void run(Shader& shader) {
+    shader.initialise__();
+    shader.main();
+  }
+
   // Whether the pixel has a colour.
   static bool draw(Shader& shader) {
     if constexpr (Shader::uses_stop__) {
-      if (setjmp(shader.end__) != 0) return false;
+      try {
+        run(shader);
+      } catch (const Stopped&) {
+        return false;
+      }
+    } else {
+      run(shader);
     }
-    shader.initialise__();
-    shader.main();
     return true;
   }
 

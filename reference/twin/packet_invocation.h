@@ -3,6 +3,7 @@
 // differences of lanes.
 #pragma once
 
+#include <csetjmp>
 #include <cstring>
 
 #include "reference/glsl/packet_functions.h"

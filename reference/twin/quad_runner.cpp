@@ -4,6 +4,8 @@
 #include <boost/context/protected_fixedsize_stack.hpp>
 #include <climits>
 
+#include "host/base/assert.h"
+
 namespace shadertwin::twin {
 namespace {
 
@@ -63,6 +65,7 @@ void QuadRunner::run_quad(QuadExchange& exchange) {
       exchange.met[i] = exchange.waiting[i];
     }
     const unsigned meeting = exchange.met_lanes;
+    SHADERTWIN_ASSERT(meeting != 0);
     for (int i = 0; i < QuadExchange::lanes; ++i) {
       if ((meeting >> i & 1U) != 0) resume(i);
     }

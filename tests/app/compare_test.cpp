@@ -22,6 +22,14 @@ class CompareCommand : public testing::Test {
   ScratchFolder folder;
 };
 
+// For each pixel of a heat map, whether it is not black.
+std::vector<bool> coloured(const Image& map) {
+  std::vector<bool> result;
+  for (std::size_t i = 0; i < map.rgba.size(); i += 4)
+    result.push_back(std::any_of(&map.rgba[i], &map.rgba[i] + 3, [](float value) { return value > 0.0F; }));
+  return result;
+}
+
 TEST_F(CompareCommand, PreciseMakesLlvmpipeAndTheTwinAgree) {
   folder.write("sums.glsl",
                "void mainImage(out vec4 c, in vec2 p) {\n"
@@ -61,7 +69,8 @@ TEST_F(CompareCommand, LlvmpipeAndOsmesaGiveTheSameBitsInEveryPass) {
   EXPECT_EQ(report["first_difference"], -1);
   const Image map = read_image(folder / "h.png");
   EXPECT_EQ(map.width, 32);
-  EXPECT_EQ(*std::max_element(map.at(0, 0), map.at(0, 0) + 3), 0.0F);
+  EXPECT_EQ(map.height, 18);
+  EXPECT_EQ(coloured(map), (std::vector<bool>(32 * 18, false)));
 }
 
 TEST_F(CompareCommand, PassLimitsTheComparison) {
@@ -78,20 +87,33 @@ TEST_F(CompareCommand, TwinGivesTheBitsOfLlvmpipe) {
 }
 
 TEST_F(CompareCommand, ExitsWithOneBeyondTheLimitsAndSaysWhere) {
-  const std::string command =
-      "compare main.glsl --on cpu --on cpu/double --size 32x18 --frames 20 --heatmap h.png ";
+  const std::string command = "compare main.glsl --on cpu --on cpu/double --size 32x18 --frames 20 ";
   const Outcome within = run(folder, command + "--json r.json");
   EXPECT_EQ(within.status, 0) << within.err;
   EXPECT_NE(within.out.find("cpu/double"), std::string::npos) << within.out;
   const auto report = nlohmann::json::parse(contents(folder / "r.json"));
   EXPECT_GT(report["passes"][0]["channels"]["r"]["ulp_max"], 0);
   EXPECT_LT(report["passes"][0]["channels"]["r"]["ulp_max"], 64);  // 20 roundings of a growing sum
-  const Image map = read_image(folder / "h.png");
-  EXPECT_GT(*std::max_element(map.rgba.begin(), map.rgba.end() - 1), 0.0F);
   const Outcome beyond = run(folder, command + "--max-ulp 0");
   EXPECT_EQ(beyond.status, 1);
   EXPECT_EQ(beyond.error_lines(), 1) << beyond.err;
   EXPECT_EQ(run(folder, command + "--min-equal 100").status, 1);
+}
+
+TEST_F(CompareCommand, TheHeatMapIsColouredWhereTheLastPassDiffersAndOnlyThere) {
+  const std::string frames = " --size 32x18 --frames 3 ";
+  ASSERT_EQ(run(folder, "compare main.glsl --on cpu --on cpu/double" + frames + "--heatmap h.png").err, "");
+  ASSERT_EQ(run(folder, "render main.glsl --on cpu" + frames + "-o float.exr").err, "");
+  ASSERT_EQ(run(folder, "render main.glsl --on cpu/double" + frames + "-o double.exr").err, "");
+  const Image a = read_image(folder / "float.exr");
+  const Image b = read_image(folder / "double.exr");
+  std::vector<bool> differs;
+  for (std::size_t i = 0; i < a.rgba.size(); i += 4)
+    differs.push_back(!std::equal(&a.rgba[i], &a.rgba[i] + 4, &b.rgba[i]));
+  EXPECT_EQ(coloured(read_image(folder / "h.png")), differs);
+  const auto apart = std::count(differs.begin(), differs.end(), true);
+  EXPECT_GT(apart, 0);
+  EXPECT_LT(apart, std::ssize(differs));
 }
 
 TEST_F(CompareCommand, NeedsTwoPlayers) {

@@ -115,8 +115,8 @@ TEST(VideoWriter, SoundIsWhatWasWrittenAndAsLongAsItsSamples) {
     }
     ASSERT_GE(sound.left.size(), static_cast<std::size_t>(expected)) << name;
     double error = 0.0;
-    // A codec may round off the ends, where the sine begins and breaks off. What two samples too early or late make is
-    // 0.08, another pitch 1; AAC makes 0.035 here.
+    // A codec may round off the ends, where the sine begins and breaks off. What two samples too early or
+    // late make is 0.08, another pitch 1; AAC makes 0.035 here.
     const auto first = expected / 10;
     const auto last = expected - first;
     for (auto i = first; i < last; ++i) {
