@@ -1,135 +1,112 @@
-// Roots, exponentials and logarithms.
+// Roots, exponentials and logarithms of any number type.
 //
 // As float they compute what Mesa 22.3's llvmpipe computes, operation by operation (the polynomials of
 // gallivm's lp_bld_arit.c, fused where the processor can, as there), so that both have the same bits. As
 // double they are libm's, with GLSL's domains.
 #pragma once
 
-#include "reference/glsl/componentwise.h"
 #include "reference/glsl/lanes.h"
 
-namespace shadertwin::glsl::inline SHADERTWIN_PRECISION {
+namespace shadertwin::glsl::inline SHADERTWIN_PRECISION::detail {
 
 // --- Roots ------------------------------------------------------------------
 
-SHADERTWIN_INLINE Float sqrt(Float x) {
-  SHADERTWIN_PROBE(x < 0, sqrt_negative);
-  return std::sqrt(x);
+template <class F>
+SHADERTWIN_INLINE F sqrt_of(F x) {
+  SHADERTWIN_PROBE(x < 0.0F, sqrt_negative);
+  return root(x);
 }
-SHADERTWIN_INLINE Float inversesqrt(Float x) {
-  SHADERTWIN_PROBE(x <= 0, inversesqrt_not_positive);
-  return Float(1) / std::sqrt(x);
+template <class F>
+SHADERTWIN_INLINE F inversesqrt_of(F x) {
+  SHADERTWIN_PROBE(x <= 0.0F, inversesqrt_not_positive);
+  return 1.0F / root(x);
 }
-SHADERTWIN_MAP_1(sqrt, vec, vec)
-SHADERTWIN_MAP_1(inversesqrt, vec, vec)
 
 // --- Exponentials -----------------------------------------------------------
-
-namespace detail {
-
-#ifdef SHADERTWIN_DOUBLE
-
-template <class F>
-SHADERTWIN_INLINE F exp2_of(F x) {
-  return std::exp2(x);
-}
-template <class F>
-SHADERTWIN_INLINE F log2_of(F x) {
-  return std::log2(x);
-}
-template <class F>
-SHADERTWIN_INLINE F exp_of(F x) {
-  return std::exp(x);
-}
-template <class F>
-SHADERTWIN_INLINE F log_of(F x) {
-  return std::log(x);
-}
-template <class F>
-SHADERTWIN_INLINE F pow_of(F x, F y) {
-  return x == 0 ? 0 : x > 0 ? std::pow(x, y) : nan;
-}
-
-#else
 
 // 2^floor(x) from the exponent's bits times a polynomial of degree 5 for the rest. Below 2^-126 it is 0.
 template <class F>
 inline F exp2_of(F x) {
-  x = first_if_less(constant<F>(128.0F), x);
-  x = first_if_greater(constant<F>(-126.99999F), x);
-  const F whole = round_down(x);
-  const F f = x - whole;
-  const F scale = from_bits<F>((std::bit_cast<Unsigned<F>>(to_int(whole)) + 127U) << 23);
-  const F f2 = f * f;
-  F even = multiply_add(f2, constant<F>(0.00898934009049466391101F), constant<F>(0.240153617044375388211F));
-  even = multiply_add(f2, even, constant<F>(1.0F));
-  F odd = multiply_add(f2, constant<F>(0.00187757667519147912699F), constant<F>(0.0558263180532956664775F));
-  odd = multiply_add(f2, odd, constant<F>(0.693153073200168932794F));
-  return scale * multiply_add(odd, f, even);
-}
-
-// The exponent plus log2 of the mantissa m in [1, 2), as a polynomial of ((m - 1) / (m + 1))^2.
-template <class F>
-inline F log2_of(F x) {
-  const Unsigned<F> pattern = bits(x);
-  const F exponent = to_float(std::bit_cast<Signed<F>>(((pattern & 0x7f800000U) >> 23) - 127U));
-  const F m = from_bits<F>((pattern & 0x007fffffU) | 0x3f800000U);
-  const F y = (m - 1.0F) / (m + 1.0F);
-  const F z = y * y;
-  const F z2 = z * z;
-  F even = multiply_add(z2, constant<F>(0.406718052498846252698F), constant<F>(0.577440339438736392009F));
-  even = multiply_add(z2, even, constant<F>(2.88539009343309178325F));
-  const F odd =
-      multiply_add(z2, constant<F>(0.403343858251329912514F), constant<F>(0.961791550404184197881F));
-  F result = multiply_add(y, multiply_add(odd, z, even), exponent);
-  result = select(x < infinity, result, constant<F>(infinity));
-  const F otherwise = select(x == 0.0F, constant<F>(-infinity), constant<F>(nan));
-  return select(x > 0.0F, result, otherwise);
+  if constexpr (uses_libm<F>) {
+    return std::exp2(x);
+  } else {
+    x = first_if_less(constant<F>(128.0F), x);
+    x = first_if_greater(constant<F>(-126.99999F), x);
+    const F whole = round_down(x);
+    const F f = x - whole;
+    const F scale = from_bits<F>((std::bit_cast<Unsigned<F>>(to_int(whole)) + 127U) << 23);
+    const F f2 = f * f;
+    F even = multiply_add(f2, constant<F>(0.00898934009049466391101F), constant<F>(0.240153617044375388211F));
+    even = multiply_add(f2, even, constant<F>(1.0F));
+    F odd = multiply_add(f2, constant<F>(0.00187757667519147912699F), constant<F>(0.0558263180532956664775F));
+    odd = multiply_add(f2, odd, constant<F>(0.693153073200168932794F));
+    return scale * multiply_add(odd, f, even);
+  }
 }
 
 template <class F>
 SHADERTWIN_INLINE F exp_of(F x) {
-  return exp2_of<F>(x * 1.44269504088896340736F);
+  if constexpr (uses_libm<F>)
+    return std::exp(x);
+  else
+    return exp2_of(x * 1.44269504088896340736F);
+}
+
+// --- Logarithms -------------------------------------------------------------
+
+// The exponent plus log2 of the mantissa m in [1, 2), as a polynomial of ((m - 1) / (m + 1))^2.
+template <class F>
+inline F binary_logarithm(F x) {
+  if constexpr (uses_libm<F>) {
+    return std::log2(x);
+  } else {
+    const Unsigned<F> pattern = bits(x);
+    const F exponent = from_int<F>(std::bit_cast<Signed<F>>(((pattern & 0x7f800000U) >> 23) - 127U));
+    const F m = from_bits<F>((pattern & 0x007fffffU) | 0x3f800000U);
+    const F y = (m - 1.0F) / (m + 1.0F);
+    const F z = y * y;
+    const F z2 = z * z;
+    F even = multiply_add(z2, constant<F>(0.406718052498846252698F), constant<F>(0.577440339438736392009F));
+    even = multiply_add(z2, even, constant<F>(2.88539009343309178325F));
+    const F odd =
+        multiply_add(z2, constant<F>(0.403343858251329912514F), constant<F>(0.961791550404184197881F));
+    F result = multiply_add(y, multiply_add(odd, z, even), exponent);
+    result = select__(x < constant<F>(infinity), result, constant<F>(infinity));
+    const F otherwise = select__(x == 0.0F, constant<F>(-infinity), constant<F>(nan));
+    return select__(x > 0.0F, result, otherwise);
+  }
+}
+
+template <class F>
+SHADERTWIN_INLINE F natural_logarithm(F x) {
+  if constexpr (uses_libm<F>)
+    return std::log(x);
+  else
+    return binary_logarithm(x) * 0.69314718055994530942F;
+}
+
+template <class F>
+SHADERTWIN_INLINE F log2_of(F x) {
+  SHADERTWIN_PROBE(x <= 0.0F, log_not_positive);
+  return binary_logarithm(x);
 }
 template <class F>
 SHADERTWIN_INLINE F log_of(F x) {
-  return log2_of<F>(x) * 0.69314718055994530942F;
+  SHADERTWIN_PROBE(x <= 0.0F, log_not_positive);
+  return natural_logarithm(x);
 }
 
 // A NaN counts as equal to 0 here.
 template <class F>
 SHADERTWIN_INLINE F pow_of(F x, F y) {
-  const F power = exp2_of<F>(log2_of<F>(x) * y);
-  return select((x < 0.0F) | (x > 0.0F), power, constant<F>(0.0F));
+  SHADERTWIN_PROBE(x < 0.0F, pow_negative_base);
+  SHADERTWIN_PROBE(x == 0.0F && y <= 0.0F, pow_zero_base);
+  if constexpr (uses_libm<F>) {
+    return x == 0.0 ? 0.0 : x > 0.0 ? std::pow(x, y) : nan;
+  } else {
+    const F power = exp2_of(binary_logarithm(x) * y);
+    return select__((x < 0.0F) | (x > 0.0F), power, constant<F>(0.0F));
+  }
 }
 
-#endif
-
-}  // namespace detail
-
-SHADERTWIN_INLINE Float exp2(Float x) {
-  return SHADERTWIN_APPLY_1(Float, exp2_of, x);
-}
-SHADERTWIN_INLINE Float exp(Float x) {
-  return SHADERTWIN_APPLY_1(Float, exp_of, x);
-}
-SHADERTWIN_INLINE Float log2(Float x) {
-  SHADERTWIN_PROBE(x <= 0, log_not_positive);
-  return SHADERTWIN_APPLY_1(Float, log2_of, x);
-}
-SHADERTWIN_INLINE Float log(Float x) {
-  SHADERTWIN_PROBE(x <= 0, log_not_positive);
-  return SHADERTWIN_APPLY_1(Float, log_of, x);
-}
-SHADERTWIN_INLINE Float pow(Float x, Float y) {
-  SHADERTWIN_PROBE(x < 0, pow_negative_base);
-  SHADERTWIN_PROBE(x == 0 && y <= 0, pow_zero_base);
-  return SHADERTWIN_APPLY_2(Float, pow_of, x, y);
-}
-SHADERTWIN_SPREAD_1(exp2, exp2_of)
-SHADERTWIN_SPREAD_1(exp, exp_of)
-SHADERTWIN_SPREAD_1(log2, log2_of)
-SHADERTWIN_SPREAD_1(log, log_of)
-SHADERTWIN_SPREAD_2(pow, pow_of)
-
-}  // namespace shadertwin::glsl::inline SHADERTWIN_PRECISION
+}  // namespace shadertwin::glsl::inline SHADERTWIN_PRECISION::detail

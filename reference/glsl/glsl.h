@@ -5,12 +5,8 @@
 // llvmpipe, whether polynomials are fused.
 #pragma once
 
-#include "reference/glsl/check.h"         // IWYU pragma: export
-#include "reference/glsl/common.h"        // IWYU pragma: export
-#include "reference/glsl/exponential.h"   // IWYU pragma: export
-#include "reference/glsl/integer.h"       // IWYU pragma: export
-#include "reference/glsl/probes.h"        // IWYU pragma: export
-#include "reference/glsl/sampler.h"       // IWYU pragma: export
-#include "reference/glsl/trigonometry.h"  // IWYU pragma: export
-#include "reference/glsl/types.h"         // IWYU pragma: export
-#include "reference/glsl/vector.h"        // IWYU pragma: export
+#include "reference/glsl/builtins.h"  // IWYU pragma: export
+#include "reference/glsl/check.h"     // IWYU pragma: export
+#include "reference/glsl/probes.h"    // IWYU pragma: export
+#include "reference/glsl/sampler.h"   // IWYU pragma: export
+#include "reference/glsl/types.h"     // IWYU pragma: export

@@ -14,6 +14,22 @@
 #error "packets are of float32"
 #endif
 
+namespace shadertwin::glsl::inline SHADERTWIN_PRECISION::detail {
+
+// Without AVX the compiler makes two registers of each.
+using float8 = float __attribute__((vector_size(32)));
+using int8 = int __attribute__((vector_size(32)));
+using uint8 = uint __attribute__((vector_size(32)));
+
+template <class Result, class Function>
+SHADERTWIN_INLINE Result each_of_eight(const Function& function) {
+  Result result{};
+  for (int i = 0; i < 8; ++i) result[i] = function(i);
+  return result;
+}
+
+}  // namespace shadertwin::glsl::inline SHADERTWIN_PRECISION::detail
+
 // Names that end in two underscores are no shader's.
 namespace shadertwin::glsl::packet {
 
@@ -47,6 +63,7 @@ struct Bool {
   SHADERTWIN_INLINE friend Bool operator!(Bool a) { return Bool(~a.v); }
   SHADERTWIN_INLINE friend Bool operator&&(Bool a, Bool b) { return Bool(a.v & b.v); }
   SHADERTWIN_INLINE friend Bool operator||(Bool a, Bool b) { return Bool(a.v | b.v); }
+  SHADERTWIN_INLINE friend Bool operator|(Bool a, Bool b) { return Bool(a.v | b.v); }
   SHADERTWIN_INLINE friend Bool operator!=(Bool a, Bool b) { return Bool(a.v ^ b.v); }
   SHADERTWIN_INLINE friend Bool operator==(Bool a, Bool b) { return Bool(~(a.v ^ b.v)); }
 };
@@ -87,6 +104,14 @@ struct Packet {
   SHADERTWIN_INLINE friend Packet operator^(Packet a, Packet b) { return Packet(a.v ^ b.v); }
   SHADERTWIN_INLINE friend Packet operator<<(Packet a, int b) { return Packet(a.v << b); }
   SHADERTWIN_INLINE friend Packet operator>>(Packet a, int b) { return Packet(a.v >> b); }
+  template <class U>
+  SHADERTWIN_INLINE friend Packet operator<<(Packet a, Packet<U> b) {
+    return Packet(a.v << std::bit_cast<Vector>(b.v));
+  }
+  template <class U>
+  SHADERTWIN_INLINE friend Packet operator>>(Packet a, Packet<U> b) {
+    return Packet(a.v >> std::bit_cast<Vector>(b.v));
+  }
   SHADERTWIN_INLINE friend Packet operator<<(Packet a, uint b) { return a << static_cast<int>(b); }
   SHADERTWIN_INLINE friend Packet operator>>(Packet a, uint b) { return a >> static_cast<int>(b); }
   SHADERTWIN_INLINE friend Packet operator-(Packet a) { return Packet(-a.v); }
@@ -273,16 +298,25 @@ SHADERTWIN_INLINE auto every_lane__(const F& f) {
 
 // --- Choice and masked assignment -------------------------------------------
 
+template <class T>
+SHADERTWIN_INLINE Packet<T> choice__(Bool c, Packet<T> a, Packet<T> b) {
+#ifdef __AVX__
+  return Packet<T>(std::bit_cast<typename Packet<T>::Vector>(
+      _mm256_blendv_ps(std::bit_cast<__m256>(b.v), std::bit_cast<__m256>(a.v), std::bit_cast<__m256>(c.v))));
+#else
+  return Packet<T>(std::bit_cast<typename Packet<T>::Vector>((std::bit_cast<detail::int8>(a.v) & c.v) |
+                                                             (std::bit_cast<detail::int8>(b.v) & ~c.v)));
+#endif
+}
+// Not templates, so that a uniform scalar becomes a packet.
 SHADERTWIN_INLINE Float select__(Bool c, Float a, Float b) {
-  return Float(detail::select(c.v, a.v, b.v));
+  return choice__(c, a, b);
 }
 SHADERTWIN_INLINE Int select__(Bool c, Int a, Int b) {
-  return Int(std::bit_cast<detail::int8>(
-      detail::select(c.v, std::bit_cast<detail::float8>(a.v), std::bit_cast<detail::float8>(b.v))));
+  return choice__(c, a, b);
 }
 SHADERTWIN_INLINE Uint select__(Bool c, Uint a, Uint b) {
-  return Uint(std::bit_cast<detail::uint8>(
-      detail::select(c.v, std::bit_cast<detail::float8>(a.v), std::bit_cast<detail::float8>(b.v))));
+  return choice__(c, a, b);
 }
 SHADERTWIN_INLINE Bool select__(Bool c, Bool a, Bool b) {
   return Bool((c.v & a.v) | (~c.v & b.v));

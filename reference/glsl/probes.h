@@ -2,7 +2,7 @@
 // that are no numbers although their operands were.
 #pragma once
 
-#include "reference/glsl/vector.h"
+#include "reference/glsl/builtins.h"
 
 namespace shadertwin::glsl::inline SHADERTWIN_PRECISION {
 

@@ -5,7 +5,7 @@
 // (sample.cpp) and reached through pointers, so that a shader does not compile it again and needs no library.
 #pragma once
 
-#include "reference/glsl/common.h"
+#include "reference/glsl/builtins.h"
 
 namespace shadertwin::glsl {
 

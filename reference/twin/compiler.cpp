@@ -61,7 +61,8 @@ std::string headers_identity(const fs::path& include_root) {
   std::vector<fs::path> files;
   for (const char* folder : {"reference/glsl", "reference/twin"}) {
     for (const auto& entry : fs::directory_iterator(include_root / folder)) {
-      if (entry.path().extension() == ".h") files.push_back(entry.path());
+      const fs::path extension = entry.path().extension();
+      if (extension == ".h" || extension == ".def") files.push_back(entry.path());
     }
   }
   std::sort(files.begin(), files.end());
