@@ -8,7 +8,7 @@
 #include "host/export/page.h"
 #include "host/image/image.h"
 #include "host/player/inputs.h"
-#include "host/player/rounds.h"
+#include "host/player/ping_pong.h"
 #include "host/project/kinds.h"
 #include "host/text/render.h"
 #include "host/text/resolve_macros.h"
@@ -38,12 +38,12 @@ const char* name_of(const std::array<const char*, size>& names, Enum value) {
 
 class Describer {
  public:
-  explicit Describer(const Project& project) : project_(project), rounds_(project) {}
+  explicit Describer(const Project& project) : project_(project), ping_pong_(project) {}
 
   Json describe() {
     Json passes = Json::array();
     for (std::size_t i = 0; i < project_.passes.size(); ++i)
-      passes.push_back(describe(project_.passes[i], rounds_.pictures(i)));
+      passes.push_back(describe(project_.passes[i], ping_pong_.targets(i)));
     Json uniforms = Json::array();
     for (const CustomUniform& uniform : project_.uniforms) uniforms.push_back(describe(uniform));
     return {{"site", project_.dialect == Dialect::shadertoy},
@@ -57,14 +57,14 @@ class Describer {
   }
 
  private:
-  Json describe(const Pass& pass, std::size_t pictures) {
+  Json describe(const Pass& pass, std::size_t targets) {
     Json inputs = Json::array();
     for (std::size_t i = 0; i < pass.inputs.size(); ++i)
       if (const Input input = bound_input(pass, i); input.wanted() != InputKind::none)
         inputs.push_back(describe(input, static_cast<int>(i)));
     return {{"name", pass.name},
             {"kind", traits(pass).name},
-            {"pictures", pictures},
+            {"targets", targets},
             {"keyboard", pass.keyboard},
             {"vertex", pass.vertex ? describe(*pass.vertex, Target::vertex) : Json()},
             {"source", describe(pass.source, Target::fragment)},
@@ -163,7 +163,7 @@ class Describer {
   }
 
   const Project& project_;
-  Rounds rounds_;
+  PingPong ping_pong_;
   Json media_ = Json::array();
   std::map<std::string, std::size_t> media_index_;
 };

@@ -14,7 +14,7 @@
 #include "host/gl/target.h"
 #include "host/gl/textures.h"
 #include "host/player/inputs.h"
-#include "host/player/rounds.h"
+#include "host/player/ping_pong.h"
 #include "host/player/uniforms.h"
 #include "host/text/render.h"
 
@@ -66,7 +66,7 @@ class GlPlayerImpl final : public GlPlayer {
     for (std::size_t i = 0; i < project_.passes.size(); ++i) {
       const PassKind kind = project_.passes[i].kind;
       passes_.emplace_back(Target(*context_, kind == PassKind::cubemap ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D,
-                                  rounds_.pictures(i), needs_mipmaps(project_, i)));
+                                  ping_pong_.targets(i), needs_mipmaps(project_, i)));
       // An error in any pass keeps shadertoy.com from playing any other, the sound among them.
       const bool sound = kind == PassKind::sound;
       compile(i, sound ? Dispatch::fragment : options.dispatch,
@@ -80,14 +80,14 @@ class GlPlayerImpl final : public GlPlayer {
 
   void render(const Frame& frame) override {
     context_->make_current();
-    const auto rehearsal = rounds_.begin(frame);
+    const auto warm_up = ping_pong_.begin(frame);
     resize({frame.width, frame.height});
     tell_sizes();
     if (frame.index == 0) clear();
     textures_.update(frame);
-    if (rehearsal) {
-      draw_passes(*rehearsal, false);
-      rounds_.end_rehearsal();
+    if (warm_up) {
+      draw_passes(*warm_up, false);
+      ping_pong_.end_warm_up();
     }
     draw_passes(frame, timers_.has_value());
     gl_.Flush();
@@ -96,7 +96,7 @@ class GlPlayerImpl final : public GlPlayer {
   Image read(int pass) override {
     context_->make_current();
     const auto index = static_cast<std::size_t>(pass);
-    return passes_.at(index).target.read(rounds_.shown(index));
+    return passes_.at(index).target.read(ping_pong_.front(index));
   }
 
   Image sound_block(int block, const glm::vec4& date) override {
@@ -126,7 +126,7 @@ class GlPlayerImpl final : public GlPlayer {
 
   GLuint texture(int pass) const override {
     const auto index = static_cast<std::size_t>(pass);
-    return passes_.at(index).target.texture(rounds_.shown(index));
+    return passes_.at(index).target.texture(ping_pong_.front(index));
   }
   Context& context() override { return *context_; }
   std::vector<std::string> warnings() const override {
@@ -147,12 +147,12 @@ class GlPlayerImpl final : public GlPlayer {
       const Target& source = old.passes_[index].target;
       Target& target = passes_[i].target;
       if (source.kind() != target.kind() || source.size() != target.size() || source.size().x == 0) continue;
-      const std::size_t last = old.rounds_.shown(index);
-      const bool alike = old.rounds_.pictures(index) == rounds_.pictures(i);
-      rounds_.show(i, alike ? last : 0);
-      for (std::size_t picture = 0; picture < rounds_.pictures(i); ++picture)
+      const std::size_t last = old.ping_pong_.front(index);
+      const bool alike = old.ping_pong_.targets(index) == ping_pong_.targets(i);
+      ping_pong_.set_front(i, alike ? last : 0);
+      for (std::size_t picture = 0; picture < ping_pong_.targets(i); ++picture)
         target.copy(source, alike ? picture : last, picture);
-      target.make_mipmaps(rounds_.shown(i));
+      target.make_mipmaps(ping_pong_.front(i));
     }
   }
 
@@ -252,7 +252,7 @@ class GlPlayerImpl final : public GlPlayer {
       const bool keeps =
           project_.dialect == Dialect::shadertoy && project_.passes[i].kind == PassKind::buffer;
       target.resize(wanted, keeps);
-      if (keeps) rounds_.show(i, 0);
+      if (keeps) ping_pong_.set_front(i, 0);
     }
     size_ = size;
   }
@@ -262,7 +262,7 @@ class GlPlayerImpl final : public GlPlayer {
       for (const Channel& channel : passes_[i].channels)
         if (channel.pass >= 0)
           passes_[i].sizes[channel.unit] = channel_size(project_, project_.passes[i].inputs[channel.unit],
-                                                        nullptr, rounds_.reported_size());
+                                                        nullptr, ping_pong_.reported_size());
   }
 
   void clear() {
@@ -293,7 +293,7 @@ class GlPlayerImpl final : public GlPlayer {
             const std::vector<std::array<float, 4>>& custom_values) {
     PassState& state = passes_[index];
     Target& target = state.target;
-    const std::size_t back = rounds_.target(index);
+    const std::size_t back = ping_pong_.back(index);
     gl_.UseProgram(state.program->name());
     state.uniforms->set(values, custom_values);
     for (const Channel& channel : state.channels) {
@@ -301,7 +301,7 @@ class GlPlayerImpl final : public GlPlayer {
       if (channel.pass >= 0) {
         const auto source = static_cast<std::size_t>(channel.pass);
         const Target& read = passes_[source].target;
-        bound = {read.kind(), read.texture(rounds_.read_by(index, source))};
+        bound = {read.kind(), read.texture(ping_pong_.read_by(index, source))};
       }
       bind(channel.unit, bound, channel.sampler.name());
     }
@@ -329,7 +329,7 @@ class GlPlayerImpl final : public GlPlayer {
         draw_triangles(project_.passes[index].vertex.has_value());
       }
     }
-    rounds_.drawn(index);
+    ping_pong_.drawn(index);
     target.make_mipmaps(back);
   }
 
@@ -351,7 +351,7 @@ class GlPlayerImpl final : public GlPlayer {
   Project project_;
   VertexArrayObject vertex_array_;
   ChannelTextures textures_{gl_, project_};
-  Rounds rounds_{project_};
+  PingPong ping_pong_{project_};
   std::vector<PassState> passes_;
   glm::ivec2 size_{0};
   std::vector<std::string> warnings_;

@@ -135,7 +135,7 @@ struct Project {
   std::string common;        // the text of the Common tab
   std::vector<Pass> passes;  // in drawing order; the last one is the picture
   std::vector<CustomUniform> uniforms;
-  // As the extension has them: empty channels read (0, 0, 0, 0), and what Rounds says.
+  // As the extension has them: empty channels read (0, 0, 0, 0), and what PingPong says.
   bool vscode_quirks = false;
   bool first_person_controls = false;  // iViewMatrix follows the keys and the mouse
   bool muted = false;                  // music and the microphone give shadertoy.com's preview signal

@@ -10,7 +10,7 @@
 
 #include "host/base/error.h"
 #include "host/player/inputs.h"
-#include "host/player/rounds.h"
+#include "host/player/ping_pong.h"
 #include "host/player/uniforms.h"
 #include "host/text/pipeline.h"
 #include "host/text/render.h"
@@ -26,7 +26,7 @@ namespace {
 // What threads share out: squares of so many pixels, whole packets each.
 constexpr int tile = 16;
 
-// What a pass draws into: as many pictures as Rounds says.
+// What a pass draws into: as many pictures as PingPong says.
 struct Target {
   int width = 0;
   int height = 0;
@@ -59,8 +59,8 @@ class TwinPlayerImpl final : public TwinPlayer {
       passes_[i].module = load(project_.passes[i]);
       bind_inputs(i);
       passes_[i].target.faces = project_.passes[i].kind == PassKind::cubemap ? 6 : 1;
-      passes_[i].target.pictures.resize(rounds_.pictures(i));
-      passes_[i].target.wide.resize(rounds_.pictures(i));
+      passes_[i].target.pictures.resize(ping_pong_.targets(i));
+      passes_[i].target.wide.resize(ping_pong_.targets(i));
     }
     for (const Pass& pass : project_.passes) {
       for (const Input& input : pass.inputs) {
@@ -73,15 +73,15 @@ class TwinPlayerImpl final : public TwinPlayer {
 
   void render(const Frame& frame) override {
     const Deadline deadline(options_.timeout);
-    const auto rehearsal = rounds_.begin(frame);
+    const auto warm_up = ping_pong_.begin(frame);
     resize(frame.width, frame.height);
     tell_sizes();
     if (frame.index == 0) clear();
     keyboard_.update(frame);
     moving_.update(frame);
-    if (rehearsal) {
-      draw_passes(*rehearsal, deadline);
-      rounds_.end_rehearsal();
+    if (warm_up) {
+      draw_passes(*warm_up, deadline);
+      ping_pong_.end_warm_up();
     }
     draw_passes(frame, deadline);
   }
@@ -111,7 +111,7 @@ class TwinPlayerImpl final : public TwinPlayer {
     const auto index = static_cast<std::size_t>(pass);
     const Target& target = passes_.at(index).target;
     Image image(target.width, target.height * target.faces);
-    if (target.width != 0) target.pictures[rounds_.shown(index)].copy_to(image.rgba.data());
+    if (target.width != 0) target.pictures[ping_pong_.front(index)].copy_to(image.rgba.data());
     return image;
   }
 
@@ -119,7 +119,7 @@ class TwinPlayerImpl final : public TwinPlayer {
     const auto index = static_cast<std::size_t>(pass);
     const Target& target = passes_.at(index).target;
     if (options_.double_precision)
-      return {target.width, target.height * target.faces, target.wide[rounds_.shown(index)]};
+      return {target.width, target.height * target.faces, target.wide[ping_pong_.front(index)]};
     const Image image = read(pass);
     return {image.width, image.height, {image.rgba.begin(), image.rgba.end()}};
   }
@@ -267,7 +267,7 @@ class TwinPlayerImpl final : public TwinPlayer {
           project_.dialect == Dialect::shadertoy && project_.passes[i].kind == PassKind::buffer;
       for (Picture& picture : target.pictures) picture.resize(new_width, new_height, target.faces, keeps);
       if (options_.double_precision) resize_wide(target, new_width, new_height, keeps);
-      if (keeps) rounds_.show(i, 0);
+      if (keeps) ping_pong_.set_front(i, 0);
       target.width = new_width;
       target.height = new_height;
     }
@@ -280,7 +280,7 @@ class TwinPlayerImpl final : public TwinPlayer {
       for (std::size_t c = 0; c < max_channels; ++c) {
         const Input input = bound_input(project_.passes[i], c);
         if (input.kind == InputKind::pass)
-          passes_[i].sizes[c] = channel_size(project_, input, nullptr, rounds_.reported_size());
+          passes_[i].sizes[c] = channel_size(project_, input, nullptr, ping_pong_.reported_size());
       }
     }
   }
@@ -316,7 +316,7 @@ class TwinPlayerImpl final : public TwinPlayer {
       if (pass.inputs[i].kind == InputKind::keyboard) state.channels.bind_keyboard(i, keyboard_.picture());
       if (pass.inputs[i].kind != InputKind::pass) continue;
       const auto source = static_cast<std::size_t>(pass.inputs[i].pass);
-      state.channels.bind(i, passes_[source].target.pictures[rounds_.read_by(index, source)],
+      state.channels.bind(i, passes_[source].target.pictures[ping_pong_.read_by(index, source)],
                           pass.inputs[i].sampler);
     }
     ChannelTimes times{};
@@ -335,7 +335,7 @@ class TwinPlayerImpl final : public TwinPlayer {
   void draw(std::size_t index, const Uniforms& values, const Frame& frame, const Deadline& deadline) {
     const Pass& pass = project_.passes[index];
     Target& target = passes_[index].target;
-    const std::size_t back = rounds_.target(index);
+    const std::size_t back = ping_pong_.back(index);
     Picture& picture = target.pictures[back];
     // The extension clears every target before it draws, which shows where a shader discards.
     if (project_.dialect == Dialect::vscode) {
@@ -349,7 +349,7 @@ class TwinPlayerImpl final : public TwinPlayer {
                   pass.name + ": error: the time that --timeout gives a frame has run out");
     if (options_.double_precision) picture.round_from(target.wide[back]);
     picture.finish_drawing();
-    rounds_.drawn(index);
+    ping_pong_.drawn(index);
   }
 
   void draw_face(std::size_t index, const Uniforms& values, const Frame& frame, int face,
@@ -364,7 +364,7 @@ class TwinPlayerImpl final : public TwinPlayer {
     if (options_.region && index + 1 == passes_.size() && project_.passes[index].kind != PassKind::sound)
       region = clipped(*options_.region, target);
     const std::size_t first = std::size_t{4} * target.width * target.height * static_cast<std::size_t>(face);
-    const std::size_t back = rounds_.target(index);
+    const std::size_t back = ping_pong_.back(index);
     Request whole;
     whole.uniforms = uniforms.data();
     whole.uniform_count = uniforms.size();
@@ -389,7 +389,7 @@ class TwinPlayerImpl final : public TwinPlayer {
     };
     if (options_.stop_at && static_cast<std::size_t>(options_.stop_at->pass) == index) {
       const Moment& stop = *options_.stop_at;
-      if (stop.frame == frame.index && face == 0 && !rounds_.rehearsing()) {
+      if (stop.frame == frame.index && face == 0 && !ping_pong_.warming_up()) {
         region = clipped({stop.x, stop.y, 1, 1}, target);
         shadertwin_debug_stop();
       }
@@ -444,7 +444,7 @@ class TwinPlayerImpl final : public TwinPlayer {
   // What a buffer that is not there reads as: one that was never drawn.
   const Picture missing_pass_{Texture{.width = 1, .height = 1, .data = std::vector<std::byte>(4)}, false};
   std::vector<PassState> passes_;
-  Rounds rounds_{project_};
+  PingPong ping_pong_{project_};
   oneapi::tbb::enumerable_thread_specific<QuadRunner> quad_runners_;
   int width_ = 0;
   int height_ = 0;

@@ -31,7 +31,7 @@ class Quirks : public testing::TestWithParam<std::string> {
   ScratchFolder folder;
 };
 
-TEST_P(Quirks, ARehearsalAndReadsOfTwoFramesAgo) {
+TEST_P(Quirks, AWarmUpAndReadsOfTwoFramesAgo) {
   // Drawn in the order early, plain, late, main. Texel i of early keeps what it read in frame i.
   folder.write(
       "main.glsl",
@@ -68,7 +68,7 @@ TEST_P(Quirks, ARehearsalAndReadsOfTwoFramesAgo) {
     EXPECT_EQ(texels(early, 5, 2), quirks ? Values({0, 0, 0, 1, 2}) : Values({0, 0, 1, 2, 3}))
         << "late itself reads the frame before, and nothing in the first";
     EXPECT_EQ(texels(early, 5, 3), quirks ? Values({1, 1, 2, 3, 4}) : Values({0, 1, 2, 3, 4}))
-        << "a pass with one picture";
+        << "a pass with one target";
   }
 }
 

@@ -47,7 +47,7 @@ class Renderer {
     this.project = project;
     this.passes = project.passes;
     this.passes.forEach((pass, index) => Object.assign(pass, { index }));
-    this.rounds = new Rounds(this.passes.map((pass) => pass.pictures), project.quirks);
+    this.pingPong = new PingPong(this.passes.map((pass) => pass.targets), project.quirks);
     this.drawn = this.passes.filter((pass) => pass.kind !== 'sound');
     this.shown = this.passes.at(-1);
     this.sounds = new Sounds();
@@ -106,7 +106,7 @@ class Renderer {
       format: cube ? gl.RGBA16F : gl.RGBA32F,
       mipmaps: readers.some((input) => input.mipmaps),
       size: null,
-      pictures: [],
+      surfaces: [],
     };
   }
 
@@ -140,24 +140,24 @@ class Renderer {
     return source;
   }
 
-  // New targets keep, on shadertoy.com, the old pixels from the lower left corner up; the first of two pictures counts as
+  // New targets keep, on shadertoy.com, the old pixels from the lower left corner up; the first of two counts as
   // the last one from then on.
   resize(width, height) {
     const { gl, canvas } = this;
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
-    for (const { target, pictures, index } of this.passes.filter((pass) => pass.target)) {
+    for (const { target, targets, index } of this.passes.filter((pass) => pass.target)) {
       const cube = target.kind === gl.TEXTURE_CUBE_MAP;
       if (cube && target.size) continue;
       const size = cube ? [cubeSize, cubeSize] : [width, height];
       const old = target.size;
-      target.pictures = Array.from({ length: pictures }, (_, i) => this.makePicture(target, size, old && target.pictures[i], old));
+      target.surfaces = Array.from({ length: targets }, (_, i) => this.makeSurface(target, size, old && target.surfaces[i], old));
       target.size = size;
-      if (this.project.site) this.rounds.shown[index] = 0;
+      if (this.project.site) this.pingPong.front[index] = 0;
     }
   }
 
-  makePicture(target, size, previous, oldSize) {
+  makeSurface(target, size, previous, oldSize) {
     const { gl } = this;
     const texture = gl.createTexture();
     gl.bindTexture(target.kind, texture);
@@ -192,24 +192,24 @@ class Renderer {
   clear() {
     const { gl } = this;
     for (const { target } of this.passes.filter((pass) => pass.target))
-      for (const picture of target.pictures) {
-        for (const framebuffer of picture.framebuffers) {
+      for (const surface of target.surfaces) {
+        for (const framebuffer of surface.framebuffers) {
           gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
           gl.clearBufferfv(gl.COLOR, 0, [0, 0, 0, 0]);
         }
-        this.makeMipmaps(target, picture);
+        this.makeMipmaps(target, surface);
       }
   }
 
   // frame: index, time, timeDelta, frameRate, date, mouse, buttons, keys.
   draw(frame) {
-    const rehearsal = this.rounds.begin(frame, [this.canvas.width, this.canvas.height]);
+    const warmUp = this.pingPong.begin(frame, [this.canvas.width, this.canvas.height]);
     if (frame.index === 0) this.clear();
     this.keyboard?.update(frame.keys, !this.project.site);
     for (const medium of this.media.values()) medium.refresh(frame);
-    if (rehearsal) {
-      for (const pass of this.drawn) this.drawPass(pass, rehearsal);
-      this.rounds.endRehearsal();
+    if (warmUp) {
+      for (const pass of this.drawn) this.drawPass(pass, warmUp);
+      this.pingPong.endWarmUp();
     }
     for (const pass of this.drawn) this.drawPass(pass, frame);
     if (this.shown.target) this.show();
@@ -228,7 +228,7 @@ class Renderer {
       const source = this.passes[input.pass];
       gl.activeTexture(gl.TEXTURE0 + input.channel);
       gl.bindSampler(input.channel, input.sampler);
-      if (source) gl.bindTexture(source.target.kind, this.pictureFor(pass, source).texture);
+      if (source) gl.bindTexture(source.target.kind, this.surfaceFor(pass, source).texture);
       else if (input.source) gl.bindTexture(input.source.target, input.source.texture);
       sizes.set(source ? [...this.reportedSize(source), 1] : (input.source?.size ?? input.size), 3 * input.channel);
     }
@@ -240,12 +240,12 @@ class Renderer {
     return sizes;
   }
 
-  pictureFor(reader, source) {
-    return source.target.pictures[this.rounds.readBy(reader.index, source.index)];
+  surfaceFor(reader, source) {
+    return source.target.surfaces[this.pingPong.readBy(reader.index, source.index)];
   }
 
   reportedSize({ kind }) {
-    return kind === 'cubemap' ? [cubeSize, cubeSize] : this.rounds.reportedSize;
+    return kind === 'cubemap' ? [cubeSize, cubeSize] : this.pingPong.reportedSize;
   }
 
   setUniforms(pass, size, values) {
@@ -286,8 +286,8 @@ class Renderer {
       iChannelResolution: this.bindInputs(pass),
     });
     gl.viewport(0, 0, ...size);
-    const back = this.rounds.target(pass.index);
-    const framebuffers = target ? target.pictures[back].framebuffers : [null];
+    const back = this.pingPong.back(pass.index);
+    const framebuffers = target ? target.surfaces[back].framebuffers : [null];
     for (const [face, framebuffer] of framebuffers.entries()) {
       gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
       if (pass.face) gl.uniform1i(pass.face, face);
@@ -297,13 +297,13 @@ class Renderer {
       gl.drawArrays(gl.TRIANGLES, 0, pass.vertex ? 6 : 3);
       gl.disable(gl.CULL_FACE);
     }
-    this.rounds.drawn(pass.index);
-    if (target) this.makeMipmaps(target, target.pictures[back]);
+    this.pingPong.drawn(pass.index);
+    if (target) this.makeMipmaps(target, target.surfaces[back]);
   }
 
   // What a pass drew last.
   last({ target, index }) {
-    return target.pictures[this.rounds.shown[index]];
+    return target.surfaces[this.pingPong.front[index]];
   }
 
   show() {
