@@ -83,7 +83,8 @@ bool is_device_name(const std::string& name) {
 
 std::unique_ptr<Context> open_context(const std::string& name) {
   if (!is_device_name(name))
-    throw Error(ExitStatus::usage, name + ": unknown device (auto, egl, egl:N with N from 0, llvmpipe or osmesa)");
+    throw Error(ExitStatus::usage,
+                name + ": unknown device (auto, egl, egl:N with N from 0, llvmpipe or osmesa)");
   if (name == "osmesa") return open_osmesa();
   if (name == "llvmpipe") return open_software_egl();
   if (name != "auto") return open_egl(egl_index(name));

@@ -33,10 +33,12 @@ EntryPoints find_entry_points(const std::vector<Token>& tokens) {
     if (token.preprocessor) continue;
     if (token.is("{") || token.is("(")) ++depth;
     if (token.is("}") || token.is(")")) depth = std::max(depth - 1, 0);
-    if (depth > 0 || token.kind != Token::Kind::identifier) continue;
-    if (token.is("out")) found.output = true;
+    if (token.kind != Token::Kind::identifier) continue;
+    if (token.is("out") && depth == 0) found.output = true;
+    // Functions can't be nested, so they are found behind a brace that is missing, too: the compiler tells
+    // where.
     const bool is_function = i > 0 && i + 1 < tokens.size() && tokens[i + 1].is("(") &&
-                             tokens[i - 1].kind == Token::Kind::identifier;
+                             tokens[i - 1].kind == Token::Kind::identifier && !tokens[i - 1].is("return");
     if (!is_function) continue;
     if (token.is("main") && defines_main(tokens, i)) found.main = true;
     if (token.is("mainImage")) {

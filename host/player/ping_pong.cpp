@@ -4,8 +4,7 @@
 
 namespace shadertwin {
 
-PingPong::PingPong(const Project& project)
-    : rules_(host_rules(project)), front_(project.passes.size(), 0) {
+PingPong::PingPong(const Project& project) : rules_(host_rules(project)), front_(project.passes.size(), 0) {
   for (const bool history : passes_with_history(project)) targets_.push_back(history ? 2 : 1);
 }
 

@@ -15,11 +15,11 @@ namespace shadertwin {
 // A pass has one target, or two that take turns when the previous contents are still needed
 // (passes_with_history()): the front one was drawn last, the back one is drawn next.
 //
-// Three of HostRules change this, as the extension has it (warms_up, swaps_after_frame, reports_first_size). Every
-// pass is drawn once before frame 0, to see whether it compiles: a warm-up, which leaves contents that earlier passes read in frame 0. The two
-// targets of a pass that reads itself are swapped only when the frame is over, so that passes before it read
-// the one that it is about to draw over: that of two frames ago. And iChannelResolution gives the size that
-// buffers had at the start, whatever the window's is now.
+// Three of HostRules change this, as the extension has it (warms_up, swaps_after_frame, reports_first_size).
+// Every pass is drawn once before frame 0, to see whether it compiles: a warm-up, which leaves contents that
+// earlier passes read in frame 0. The two targets of a pass that reads itself are swapped only when the frame
+// is over, so that passes before it read the one that it is about to draw over: that of two frames ago. And
+// iChannelResolution gives the size that buffers had at the start, whatever the window's is now.
 class PingPong {
  public:
   explicit PingPong(const Project& project);

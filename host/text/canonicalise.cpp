@@ -33,6 +33,7 @@ class Rewriter {
     find_declared();
     rename_variables();
     rename_open_builtins();
+    rename_structures();
     rename_length_members();
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       const Token& token = tokens_[i];
@@ -116,6 +117,22 @@ class Rewriter {
                             (next.is("=") || next.is(";") || next.is(",") || next.is("["));
       if (declared) names.insert(token.text);
       if (names.contains(token.text) && !next.is("(") && !before.is(".")) rename(i);
+    }
+  }
+
+  // A structure may have a built-in function's name: to the end of its scope the name means it, called or
+  // not.
+  void rename_structures() {
+    for (std::size_t i = 0; i + 2 < tokens_.size(); ++i) {
+      const std::string_view name = tokens_[i + 1].text;
+      if (!tokens_[i].is("struct") || !tokens_[i + 2].is("{")) continue;
+      if (!builtins().contains(name) && !other_builtins().contains(name)) continue;
+      int depth = 0;
+      for (std::size_t k = i + 1; k < tokens_.size() && depth >= 0; ++k) {
+        if (tokens_[k].is("{")) ++depth;
+        if (tokens_[k].is("}")) --depth;
+        if (tokens_[k].is(name) && !tokens_[k - 1].is(".")) rename(k);
+      }
     }
   }
 

@@ -22,6 +22,7 @@ namespace shadertwin {
 // few
 //   built-ins which browsers leave open (`mix`, `texture` ...);
 // - an empty statement behind the last label of a `switch` becomes `break`;
+// - a structure named as a built-in function gets the prefix;
 // - a member called `length` of a structure gets the prefix;
 // - shadertoy.com's iChN.sampler, .size, .time and .loaded become iChannelN, iChannelResolution[N],
 // iChannelTime[N]

@@ -8,8 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "reference/emit/operators.h"
-
 using glslang::TIntermAggregate;
 using glslang::TIntermConstantUnion;
 using glslang::TIntermTyped;
@@ -311,10 +309,10 @@ class EffectFinder : public glslang::TIntermTraverser {
     return note(node->getOp() == glslang::EOpFunctionCall);
   }
   bool visitBinary(glslang::TVisit, glslang::TIntermBinary* node) override {
-    return note(assignment_operator(node->getOp()).sign != nullptr);
+    return note(node->modifiesState());
   }
   bool visitUnary(glslang::TVisit, glslang::TIntermUnary* node) override {
-    return note(is_increment(node->getOp()));
+    return note(node->modifiesState());
   }
 
  private:

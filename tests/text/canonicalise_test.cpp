@@ -70,6 +70,14 @@ TEST(Canonicalise, GivesTheLastLabelAStatement) {
             "switch (k) { case 1: {} default: break; { {;} } }");
 }
 
+TEST(Canonicalise, RenamesStructuresNamedAsBuiltins) {
+  EXPECT_EQ(
+      canonicalise("void f() { struct exp2 { float a; }; exp2 e = exp2(1.); } float g() { return exp2(1.); }",
+                   Undefined::zero),
+      "void f() { struct shadertwin_exp2 { float a; }; shadertwin_exp2 e = shadertwin_exp2(1.); } "
+      "float g() { return exp2(1.); }");
+}
+
 TEST(Canonicalise, RenamesMembersCalledLength) {
   EXPECT_EQ(
       canonicalise(

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "host/base/error.h"
+#include "host/text/load.h"
 #include "tests/twin/every_player.h"
 
 namespace shadertwin {

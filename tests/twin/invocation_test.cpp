@@ -20,19 +20,19 @@ struct Counted {
 };
 
 struct Stopping : Invocation {
-  static constexpr bool uses_stop = true;
+  static constexpr bool uses_stop__ = true;
   vec4 color{};
 
   template <class Bind>
-  void bind_uniforms(Bind&& /*bind*/) {}
-  void initialise() {}
+  void bind_uniforms__(Bind&& /*bind*/) {}
+  void initialise__() {}
 };
 
 // Discards the even columns, in a function of a function.
 struct Discarding : Stopping {
   void inner() {
     const Counted counted;
-    if (static_cast<int>(gl_FragCoord.x) % 2 == 0) stop_invocation();
+    if (static_cast<int>(gl_FragCoord.x) % 2 == 0) stop_invocation__();
     color = vec4(2.0F);
   }
   void main() {
@@ -47,7 +47,7 @@ struct Endless : Stopping {
   void main() {
     const Counted counted;
     stop = true;
-    for (;;) loop_guard();
+    for (;;) loop_guard__();
   }
 };
 

@@ -1,4 +1,47 @@
 #include "reference/twin/packet_invocation.h"
+#undef a
+#undef both
+#undef color
+#undef copy
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef k
+#undef local
+#undef main
+#undef mainImage
+#undef p
+#undef palette
+#undef s
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef steps
+#undef table
+#undef total
+#undef turned
+#undef turns
+#undef v
+#undef w
+#undef weights
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -12,16 +55,16 @@ struct Shader : Invocation {
   vec4 shadertoy_out_color{};
   array<Float, 6> table{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
     unwritten(active, table);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 6 "tests/emit/shaders/arrays.glsl"
   Float total(Bool active, array<Float, 6> v) {
@@ -39,7 +82,7 @@ struct Shader : Invocation {
     return s;
 #line 6 "tests/emit/shaders/arrays.glsl"
   }
-#line 43 "twin.cpp"
+#line 86 "twin.cpp"
 
 #line 7 "tests/emit/shaders/arrays.glsl"
   array<Float, 2> both(Bool active, Float a) {
@@ -47,7 +90,7 @@ struct Shader : Invocation {
     return array<Float, 2>{{a, a * a}};
 #line 7 "tests/emit/shaders/arrays.glsl"
   }
-#line 51 "twin.cpp"
+#line 94 "twin.cpp"
 
 #line 8 "tests/emit/shaders/arrays.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -80,14 +123,14 @@ struct Shader : Invocation {
     copy[0] = copy[0] + 1.0f;
     vec2 turned = at(turns, k & 1) * vec2(1.0f, 2.0f);
     set__(active, color, vec4(at(at(palette, clamp(k, Int(0), Int(3))), k % 3), make<Float>(at(steps, k % 5)) + total(active, table) * 16.0f, w + both(active, p.y)[1], turned.x));
-    if (Bool active_2 = active && (p.y > 3.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.y > 3.0f); any__(active_2)) {
 #line 20 "tests/emit/shaders/arrays.glsl"
       set__(active_2, color, vec4(local[0] + local[1], copy[0], select__(same__(copy, local), Float(1.0f), Float(0.0f)), table[5]));
 #line 20 "tests/emit/shaders/arrays.glsl"
     }
 #line 20 "tests/emit/shaders/arrays.glsl"
   }
-#line 91 "twin.cpp"
+#line 134 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,47 @@
 #include "reference/twin/invocation.h"
+#undef a
+#undef both
+#undef color
+#undef copy
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef k
+#undef local
+#undef main
+#undef mainImage
+#undef p
+#undef palette
+#undef s
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef steps
+#undef table
+#undef total
+#undef turned
+#undef turns
+#undef v
+#undef w
+#undef weights
 
 namespace shadertwin::glsl {
 namespace {
@@ -12,16 +55,16 @@ struct Shader : Invocation {
   vec4 shadertoy_out_color{};
   array<Float, 6> table{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
     unwritten(table);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 6 "tests/emit/shaders/arrays.glsl"
   Float total(array<Float, 6> v) {
@@ -39,7 +82,7 @@ struct Shader : Invocation {
     return s;
 #line 6 "tests/emit/shaders/arrays.glsl"
   }
-#line 43 "twin.cpp"
+#line 86 "twin.cpp"
 
 #line 7 "tests/emit/shaders/arrays.glsl"
   array<Float, 2> both(Float a) {
@@ -47,7 +90,7 @@ struct Shader : Invocation {
     return array<Float, 2>{{a, a * a}};
 #line 7 "tests/emit/shaders/arrays.glsl"
   }
-#line 51 "twin.cpp"
+#line 94 "twin.cpp"
 
 #line 8 "tests/emit/shaders/arrays.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -81,7 +124,7 @@ struct Shader : Invocation {
     }
 #line 20 "tests/emit/shaders/arrays.glsl"
   }
-#line 85 "twin.cpp"
+#line 128 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,47 @@
 #include "reference/twin/packet_invocation.h"
+#undef back
+#undef color
+#undef h
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef inf
+#undef main
+#undef mainImage
+#undef n
+#undef nan
+#undef p
+#undef part
+#undef parts
+#undef pieces
+#undef q
+#undef s
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef two
+#undef u
+#undef whole
+#undef wholes
+#undef x
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -6,15 +49,15 @@ namespace {
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/bits.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -64,24 +107,24 @@ struct Shader : Invocation {
 #line 11 "tests/emit/shaders/bits.glsl"
     Float nan = sqrt(-p.x);
     set__(active, color, vec4(make<Float>(u >> 8), back, q));
-    if (Bool active_2 = active && (p.y > 2.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.y > 2.0f); any__(active_2)) {
 #line 13 "tests/emit/shaders/bits.glsl"
       set__(active_2, color, vec4(whole, part, parts.y + wholes.z, make<Float>(h >> 4)));
 #line 13 "tests/emit/shaders/bits.glsl"
     }
-    if (Bool active_2 = active && (p.y > 4.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.y > 4.0f); any__(active_2)) {
 #line 14 "tests/emit/shaders/bits.glsl"
       set__(active_2, color, vec4(round(x * 2.0f), roundEven(x * 2.0f), trunc(x), floor(x) + ceil(x) * 16.0f));
 #line 14 "tests/emit/shaders/bits.glsl"
     }
-    if (Bool active_2 = active && (p.y > 6.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.y > 6.0f); any__(active_2)) {
 #line 15 "tests/emit/shaders/bits.glsl"
       set__(active_2, color, vec4(select__(isnan(nan), Float(1.0f), Float(0.0f)), select__(isinf(inf), Float(1.0f), Float(0.0f)), sign(x), fract(x) + mod(x, Float(0.75f)) + step(Float(0.5f), x)));
 #line 15 "tests/emit/shaders/bits.glsl"
     }
 #line 15 "tests/emit/shaders/bits.glsl"
   }
-#line 85 "twin.cpp"
+#line 128 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,47 @@
 #include "reference/twin/invocation.h"
+#undef back
+#undef color
+#undef h
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef inf
+#undef main
+#undef mainImage
+#undef n
+#undef nan
+#undef p
+#undef part
+#undef parts
+#undef pieces
+#undef q
+#undef s
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef two
+#undef u
+#undef whole
+#undef wholes
+#undef x
 
 namespace shadertwin::glsl {
 namespace {
@@ -6,15 +49,15 @@ namespace {
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/bits.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -63,7 +106,7 @@ struct Shader : Invocation {
     }
 #line 15 "tests/emit/shaders/bits.glsl"
   }
-#line 67 "twin.cpp"
+#line 110 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,40 @@
 #include "reference/twin/packet_invocation.h"
+#undef bits
+#undef c
+#undef color
+#undef constant
+#undef d
+#undef e
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef infinite
+#undef list
+#undef main
+#undef mainImage
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef size
+#undef sizes
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -15,15 +51,15 @@ const uniform::ivec2 bits = uniform::ivec2(1073741824, -1082130432);
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 14 "tests/emit/shaders/const_folding.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -34,30 +70,30 @@ struct Shader : Invocation {
 #line 17 "tests/emit/shaders/const_folding.glsl"
     sizes[4] = 2.069f;
     set__(active, color, vec4(c, d, e, sizes[4]));
-    if (Bool active_2 = active && (p.y > 3.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.y > 3.0f); any__(active_2)) {
 #line 19 "tests/emit/shaders/const_folding.glsl"
       set__(active_2, color, vec4(-0.08690724f, 0.03160263f, 0.00790066f, 9.313226e-10f));
 #line 19 "tests/emit/shaders/const_folding.glsl"
     }
-    if (Bool active_2 = active && (p.y > 6.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.y > 6.0f); any__(active_2)) {
 #line 20 "tests/emit/shaders/const_folding.glsl"
       set__(active_2, color, vec4(-0.7562058f, -0.96000004f, make<Float>(at(list, make<Int>(p.x) % 3)), 0.38f));
 #line 20 "tests/emit/shaders/const_folding.glsl"
     }
-    if (Bool active_2 = active && (p.x > 4.0f && p.x < 11.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.x > 4.0f && p.x < 11.0f); any__(active_2)) {
       array<vec4, 6> list_2 = spread__(constant);
       set__(active_2, color, at(list_2, make<Int>(p.x) % 6));
 #line 23 "tests/emit/shaders/const_folding.glsl"
     }
 #line 25 "tests/emit/shaders/const_folding.glsl"
-    if (Bool active_2 = active && (p.x > 12.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.x > 12.0f); any__(active_2)) {
 #line 25 "tests/emit/shaders/const_folding.glsl"
       set__(active_2, color, vec4(3.0f + 0.25f * p.x, size, make<vec2>(select__(p.x < infinite, ivec2(bits), ivec2(-1073741824, 1082130432)))));
 #line 25 "tests/emit/shaders/const_folding.glsl"
     }
 #line 25 "tests/emit/shaders/const_folding.glsl"
   }
-#line 61 "twin.cpp"
+#line 97 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

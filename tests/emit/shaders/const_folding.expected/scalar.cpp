@@ -1,4 +1,40 @@
 #include "reference/twin/invocation.h"
+#undef bits
+#undef c
+#undef color
+#undef constant
+#undef d
+#undef e
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef infinite
+#undef list
+#undef main
+#undef mainImage
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef size
+#undef sizes
 
 namespace shadertwin::glsl {
 namespace {
@@ -15,15 +51,15 @@ const ivec2 bits = ivec2(1073741824, -1082130432);
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 14 "tests/emit/shaders/const_folding.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -57,7 +93,7 @@ struct Shader : Invocation {
     }
 #line 25 "tests/emit/shaders/const_folding.glsl"
   }
-#line 61 "twin.cpp"
+#line 97 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

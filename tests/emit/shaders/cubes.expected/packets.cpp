@@ -1,4 +1,44 @@
 #include "reference/twin/packet_invocation.h"
+#undef at_
+#undef color
+#undef corner
+#undef d
+#undef direction
+#undef h
+#undef hash
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef main
+#undef mainImage
+#undef mixed
+#undef n
+#undef p
+#undef pixel
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef signed_fraction
+#undef sum
+#undef x
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -7,16 +47,16 @@ struct Shader : Invocation {
   vec4 shadertoy_out_color{};
   samplerCube iChannel0{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iChannel0", iChannel0);
   }
-  static constexpr bool uses_derivatives = true;
-  static constexpr bool uses_implicit_lod = true;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = true;
+  static constexpr bool uses_implicit_lod__ = true;
+  static constexpr bool uses_stop__ = false;
 
 #line 7 "tests/emit/shaders/cubes.glsl"
   Uint hash(Bool active, Uint x) {
@@ -27,7 +67,7 @@ struct Shader : Invocation {
     return x ^ x >> 16;
 #line 12 "tests/emit/shaders/cubes.glsl"
   }
-#line 31 "twin.cpp"
+#line 71 "twin.cpp"
 
 #line 14 "tests/emit/shaders/cubes.glsl"
   Float signed_fraction(Bool active, Uint x) {
@@ -35,7 +75,7 @@ struct Shader : Invocation {
     return make<Float>(make<Int>(hash(active, x)) >> 8) * 1.1920929e-07f;
 #line 14 "tests/emit/shaders/cubes.glsl"
   }
-#line 39 "twin.cpp"
+#line 79 "twin.cpp"
 
 #line 17 "tests/emit/shaders/cubes.glsl"
   vec3 direction(Bool active, Uint n) {
@@ -44,20 +84,20 @@ struct Shader : Invocation {
     Uint h = hash(active, n);
     vec3 at_ = vec3(signed_fraction(active, 3u * n), signed_fraction(active, 3u * n + 1u), signed_fraction(active, 3u * n + 2u));
     vec3 corner = make<vec3>(ivec3(make<Int>(h >> 4 & 2u), make<Int>(h >> 5 & 2u), make<Int>(h >> 6 & 2u)) - 1);
-    if (Bool active_2 = active && ((n & 3u) < 2u); some__(active_2)) {
+    if (Bool active_2 = active && ((n & 3u) < 2u); any__(active_2)) {
 #line 21 "tests/emit/shaders/cubes.glsl"
       set__(active_2, result, corner + at_ * 0.015f);
 #line 21 "tests/emit/shaders/cubes.glsl"
-      leave__(active_2, active);
+      mask_out__(active_2, active);
 #line 21 "tests/emit/shaders/cubes.glsl"
     }
 #line 21 "tests/emit/shaders/cubes.glsl"
     if (none__(active)) return result;
-    if (Bool active_2 = active && ((n & 3u) == 2u); some__(active_2)) {
+    if (Bool active_2 = active && ((n & 3u) == 2u); any__(active_2)) {
 #line 22 "tests/emit/shaders/cubes.glsl"
       set__(active_2, result, vec3(corner.xy() + at_.xy() * 0.015f, at_.z));
 #line 22 "tests/emit/shaders/cubes.glsl"
-      leave__(active_2, active);
+      mask_out__(active_2, active);
 #line 22 "tests/emit/shaders/cubes.glsl"
     }
 #line 22 "tests/emit/shaders/cubes.glsl"
@@ -67,7 +107,7 @@ struct Shader : Invocation {
     return result;
 #line 23 "tests/emit/shaders/cubes.glsl"
   }
-#line 71 "twin.cpp"
+#line 111 "twin.cpp"
 
 #line 25 "tests/emit/shaders/cubes.glsl"
   uvec4 mixed(Bool active, uvec4 sum, vec4 color) {
@@ -75,7 +115,7 @@ struct Shader : Invocation {
     return (sum ^ floatBitsToUint(color)) * 2654435761u;
 #line 25 "tests/emit/shaders/cubes.glsl"
   }
-#line 79 "twin.cpp"
+#line 119 "twin.cpp"
 
 #line 27 "tests/emit/shaders/cubes.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -101,9 +141,9 @@ struct Shader : Invocation {
         set__(active_2, d, direction(active_2, n));
         set__(active_2, sum, mixed(active_2, sum, textureLod(active_2, iChannel0, d, 0.0f)));
         set__(active_2, sum, mixed(active_2, sum, textureLod(active_2, iChannel0, d, 4.0f + 5.0f * d.y * d.z)));
-        if (Bool active_3 = active_2 && (hash(active_2, n) % 29u == 0u); some__(active_3)) {
+        if (Bool active_3 = active_2 && (hash(active_2, n) % 29u == 0u); any__(active_3)) {
 #line 36 "tests/emit/shaders/cubes.glsl"
-          leave__(active_3, active_2, loop);
+          mask_out__(active_3, active_2, loop);
 #line 36 "tests/emit/shaders/cubes.glsl"
         }
 #line 36 "tests/emit/shaders/cubes.glsl"
@@ -118,7 +158,7 @@ struct Shader : Invocation {
     set__(active, color, make<vec4>(shift_right(sum, Int(8))) * 5.9604645e-08f);
 #line 40 "tests/emit/shaders/cubes.glsl"
   }
-#line 122 "twin.cpp"
+#line 162 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,44 @@
 #include "reference/twin/invocation.h"
+#undef at_
+#undef color
+#undef corner
+#undef d
+#undef direction
+#undef h
+#undef hash
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef main
+#undef mainImage
+#undef mixed
+#undef n
+#undef p
+#undef pixel
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef signed_fraction
+#undef sum
+#undef x
 
 namespace shadertwin::glsl {
 namespace {
@@ -7,16 +47,16 @@ struct Shader : Invocation {
   vec4 shadertoy_out_color{};
   samplerCube iChannel0{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iChannel0", iChannel0);
   }
-  static constexpr bool uses_derivatives = true;
-  static constexpr bool uses_implicit_lod = true;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = true;
+  static constexpr bool uses_implicit_lod__ = true;
+  static constexpr bool uses_stop__ = false;
 
 #line 7 "tests/emit/shaders/cubes.glsl"
   uint hash(uint x) {
@@ -27,7 +67,7 @@ struct Shader : Invocation {
     return x ^ x >> 16;
 #line 12 "tests/emit/shaders/cubes.glsl"
   }
-#line 31 "twin.cpp"
+#line 71 "twin.cpp"
 
 #line 14 "tests/emit/shaders/cubes.glsl"
   Float signed_fraction(uint x) {
@@ -35,7 +75,7 @@ struct Shader : Invocation {
     return Float(int(hash(x)) >> 8) * 1.1920929e-07f;
 #line 14 "tests/emit/shaders/cubes.glsl"
   }
-#line 39 "twin.cpp"
+#line 79 "twin.cpp"
 
 #line 17 "tests/emit/shaders/cubes.glsl"
   vec3 direction(uint n) {
@@ -55,7 +95,7 @@ struct Shader : Invocation {
     return at_;
 #line 23 "tests/emit/shaders/cubes.glsl"
   }
-#line 59 "twin.cpp"
+#line 99 "twin.cpp"
 
 #line 25 "tests/emit/shaders/cubes.glsl"
   uvec4 mixed(uvec4 sum, vec4 color) {
@@ -63,7 +103,7 @@ struct Shader : Invocation {
     return (sum ^ floatBitsToUint(color)) * 2654435761u;
 #line 25 "tests/emit/shaders/cubes.glsl"
   }
-#line 67 "twin.cpp"
+#line 107 "twin.cpp"
 
 #line 27 "tests/emit/shaders/cubes.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -90,7 +130,7 @@ struct Shader : Invocation {
     color = make<vec4>(shift_right(sum, 8)) * 5.9604645e-08f;
 #line 40 "tests/emit/shaders/cubes.glsl"
   }
-#line 94 "twin.cpp"
+#line 134 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

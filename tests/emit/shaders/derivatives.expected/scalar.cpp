@@ -1,4 +1,37 @@
 #include "reference/twin/invocation.h"
+#undef color
+#undef f
+#undef grid
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef main
+#undef mainImage
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef uv
+#undef v
+#undef w
 
 namespace shadertwin::glsl {
 namespace {
@@ -6,15 +39,15 @@ namespace {
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = true;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = true;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/derivatives.glsl"
   Float grid(vec2 p) {
@@ -24,7 +57,7 @@ struct Shader : Invocation {
     return w.x + w.y;
 #line 2 "tests/emit/shaders/derivatives.glsl"
   }
-#line 28 "twin.cpp"
+#line 61 "twin.cpp"
 
 #line 3 "tests/emit/shaders/derivatives.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -48,7 +81,7 @@ struct Shader : Invocation {
     }
 #line 9 "tests/emit/shaders/derivatives.glsl"
   }
-#line 52 "twin.cpp"
+#line 85 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

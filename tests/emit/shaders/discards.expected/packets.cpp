@@ -1,4 +1,33 @@
 #include "reference/twin/packet_invocation.h"
+#undef check
+#undef color
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef main
+#undef mainImage
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -6,24 +35,24 @@ namespace {
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/discards.glsl"
   Float check(Bool active, vec2 p) {
 #line 2 "tests/emit/shaders/discards.glsl"
-    if (Bool active_2 = active && (p.x > 10.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.x > 10.0f); any__(active_2)) {
 #line 2 "tests/emit/shaders/discards.glsl"
       alive__ = alive__ && !active_2;
 #line 2 "tests/emit/shaders/discards.glsl"
-      leave__(active_2, active);
+      mask_out__(active_2, active);
 #line 2 "tests/emit/shaders/discards.glsl"
     }
 #line 2 "tests/emit/shaders/discards.glsl"
@@ -41,9 +70,9 @@ struct Shader : Invocation {
 #line 2 "tests/emit/shaders/discards.glsl"
         Bool active_2 = loop;
 #line 2 "tests/emit/shaders/discards.glsl"
-        if (Bool active_3 = active_2 && (float(i) > p.y); some__(active_3)) {
+        if (Bool active_3 = active_2 && (float(i) > p.y); any__(active_3)) {
 #line 2 "tests/emit/shaders/discards.glsl"
-          leave__(active_3, active_2, loop);
+          mask_out__(active_3, active_2, loop);
 #line 2 "tests/emit/shaders/discards.glsl"
         }
 #line 2 "tests/emit/shaders/discards.glsl"
@@ -53,7 +82,7 @@ struct Shader : Invocation {
 #line 2 "tests/emit/shaders/discards.glsl"
           alive__ = alive__ && !active_2;
 #line 2 "tests/emit/shaders/discards.glsl"
-          leave__(active_2, loop, active);
+          mask_out__(active_2, loop, active);
 #line 2 "tests/emit/shaders/discards.glsl"
         }
 #line 2 "tests/emit/shaders/discards.glsl"
@@ -68,17 +97,17 @@ struct Shader : Invocation {
     return p.x;
 #line 2 "tests/emit/shaders/discards.glsl"
   }
-#line 72 "twin.cpp"
+#line 101 "twin.cpp"
 
 #line 3 "tests/emit/shaders/discards.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 3 "tests/emit/shaders/discards.glsl"
     set__(active, color, vec4(0.0f));
-    if (Bool active_2 = active && (mod(p.x, Float(4.0f)) < 1.0f && p.y < 4.0f); some__(active_2)) {
+    if (Bool active_2 = active && (mod(p.x, Float(4.0f)) < 1.0f && p.y < 4.0f); any__(active_2)) {
 #line 4 "tests/emit/shaders/discards.glsl"
       alive__ = alive__ && !active_2;
 #line 4 "tests/emit/shaders/discards.glsl"
-      leave__(active_2, active);
+      mask_out__(active_2, active);
 #line 4 "tests/emit/shaders/discards.glsl"
     }
 #line 4 "tests/emit/shaders/discards.glsl"
@@ -92,7 +121,7 @@ struct Shader : Invocation {
     if (none__(active)) return;
 #line 5 "tests/emit/shaders/discards.glsl"
   }
-#line 96 "twin.cpp"
+#line 125 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

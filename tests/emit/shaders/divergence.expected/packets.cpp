@@ -1,4 +1,63 @@
 #include "reference/twin/packet_invocation.h"
+#undef Bag
+#undef Item
+#undef a
+#undef at_
+#undef b
+#undef bag
+#undef c
+#undef color
+#undef count
+#undef early
+#undef first
+#undef grid
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef items
+#undef j
+#undef main
+#undef mainImage
+#undef more
+#undef n
+#undef odd
+#undef on
+#undef p
+#undef put
+#undef q
+#undef r
+#undef rounds
+#undef route
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef some
+#undef steps
+#undef sum
+#undef tag
+#undef turn
+#undef v
+#undef w
+#undef walk
+#undef x
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -26,16 +85,16 @@ struct Shader : Invocation {
   vec4 shadertoy_out_color{};
   Int steps{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
     steps = 0;
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 9 "tests/emit/shaders/divergence.glsl"
   Int early(Bool active, Int n) {
@@ -54,11 +113,11 @@ struct Shader : Invocation {
         if (none__(loop)) break;
 #line 10 "tests/emit/shaders/divergence.glsl"
         Bool active_2 = loop;
-        if (Bool active_3 = active_2 && (i * i > n); some__(active_3)) {
+        if (Bool active_3 = active_2 && (i * i > n); any__(active_3)) {
 #line 11 "tests/emit/shaders/divergence.glsl"
           set__(active_3, result, i);
 #line 11 "tests/emit/shaders/divergence.glsl"
-          leave__(active_3, active_2, loop, active);
+          mask_out__(active_3, active_2, loop, active);
 #line 11 "tests/emit/shaders/divergence.glsl"
         }
 #line 11 "tests/emit/shaders/divergence.glsl"
@@ -76,16 +135,16 @@ struct Shader : Invocation {
             Bool active_3 = loop_2;
             if (j > i) {
 #line 13 "tests/emit/shaders/divergence.glsl"
-              leave__(active_3, loop_2);
+              mask_out__(active_3, loop_2);
 #line 13 "tests/emit/shaders/divergence.glsl"
             }
 #line 13 "tests/emit/shaders/divergence.glsl"
             if (none__(active_3)) continue;
-            if (Bool active_4 = active_3 && ((j + n) % 5 == 4); some__(active_4)) {
+            if (Bool active_4 = active_3 && ((j + n) % 5 == 4); any__(active_4)) {
 #line 14 "tests/emit/shaders/divergence.glsl"
               set__(active_4, result, 100 + j);
 #line 14 "tests/emit/shaders/divergence.glsl"
-              leave__(active_4, active_3, loop_2, active_2, loop, active);
+              mask_out__(active_4, active_3, loop_2, active_2, loop, active);
 #line 14 "tests/emit/shaders/divergence.glsl"
             }
 #line 14 "tests/emit/shaders/divergence.glsl"
@@ -109,7 +168,7 @@ struct Shader : Invocation {
     return result;
 #line 18 "tests/emit/shaders/divergence.glsl"
   }
-#line 113 "twin.cpp"
+#line 172 "twin.cpp"
 
 #line 20 "tests/emit/shaders/divergence.glsl"
   Bool count(Bool active, Int& n) {
@@ -121,7 +180,7 @@ struct Shader : Invocation {
     return (n & 1) == 0;
 #line 20 "tests/emit/shaders/divergence.glsl"
   }
-#line 125 "twin.cpp"
+#line 184 "twin.cpp"
 
 #line 21 "tests/emit/shaders/divergence.glsl"
   Int route(Bool active, Int n) {
@@ -149,43 +208,43 @@ struct Shader : Invocation {
 #line 24 "tests/emit/shaders/divergence.glsl"
           active_3 = active_3 || (active_2 && (selector == 0));
 #line 24 "tests/emit/shaders/divergence.glsl"
-          if (some__(active_3)) {
+          if (any__(active_3)) {
             set__(active_3, sum, sum + 1);
 #line 25 "tests/emit/shaders/divergence.glsl"
           }
 #line 25 "tests/emit/shaders/divergence.glsl"
           active_3 = active_3 || (active_2 && (selector == 1));
 #line 25 "tests/emit/shaders/divergence.glsl"
-          if (some__(active_3)) {
+          if (any__(active_3)) {
             set__(active_3, sum, sum + 10);
 #line 26 "tests/emit/shaders/divergence.glsl"
-            leave__(active_3);
+            mask_out__(active_3);
 #line 26 "tests/emit/shaders/divergence.glsl"
           }
 #line 26 "tests/emit/shaders/divergence.glsl"
           active_3 = active_3 || (active_2 && (selector == 2));
 #line 26 "tests/emit/shaders/divergence.glsl"
-          if (some__(active_3)) {
-            if (Bool active_4 = active_3 && (n > 9); some__(active_4)) {
+          if (any__(active_3)) {
+            if (Bool active_4 = active_3 && (n > 9); any__(active_4)) {
 #line 27 "tests/emit/shaders/divergence.glsl"
-              leave__(active_4, active_3, active_2);
+              mask_out__(active_4, active_3, active_2);
 #line 27 "tests/emit/shaders/divergence.glsl"
             }
 #line 27 "tests/emit/shaders/divergence.glsl"
             set__(active_3, sum, sum + 100);
 #line 27 "tests/emit/shaders/divergence.glsl"
-            leave__(active_3);
+            mask_out__(active_3);
 #line 27 "tests/emit/shaders/divergence.glsl"
           }
 #line 27 "tests/emit/shaders/divergence.glsl"
           active_3 = active_3 || (active_2 && (selector == 5));
 #line 27 "tests/emit/shaders/divergence.glsl"
-          if (some__(active_3)) {
-            if (Bool active_4 = active_3 && (n == 3); some__(active_4)) {
+          if (any__(active_3)) {
+            if (Bool active_4 = active_3 && (n == 3); any__(active_4)) {
 #line 28 "tests/emit/shaders/divergence.glsl"
               set__(active_4, result, sum + 100000);
 #line 28 "tests/emit/shaders/divergence.glsl"
-              leave__(active_4, active_3, active_2, loop, active);
+              mask_out__(active_4, active_3, active_2, loop, active);
 #line 28 "tests/emit/shaders/divergence.glsl"
             }
 #line 28 "tests/emit/shaders/divergence.glsl"
@@ -193,7 +252,7 @@ struct Shader : Invocation {
 #line 28 "tests/emit/shaders/divergence.glsl"
           active_3 = active_3 || (active_2 && (!(selector == 0 || selector == 1 || selector == 2 || selector == 5)));
 #line 28 "tests/emit/shaders/divergence.glsl"
-          if (some__(active_3)) {
+          if (any__(active_3)) {
             set__(active_3, sum, sum + 1000);
 #line 29 "tests/emit/shaders/divergence.glsl"
           }
@@ -203,9 +262,9 @@ struct Shader : Invocation {
         if (none__(active_2)) continue;
 #line 31 "tests/emit/shaders/divergence.glsl"
         set__(active_2, sum, sum + i);
-        if (Bool active_3 = active_2 && (sum > 4000 + n); some__(active_3)) {
+        if (Bool active_3 = active_2 && (sum > 4000 + n); any__(active_3)) {
 #line 32 "tests/emit/shaders/divergence.glsl"
-          leave__(active_3, active_2, loop);
+          mask_out__(active_3, active_2, loop);
 #line 32 "tests/emit/shaders/divergence.glsl"
         }
 #line 32 "tests/emit/shaders/divergence.glsl"
@@ -222,7 +281,7 @@ struct Shader : Invocation {
     return result;
 #line 34 "tests/emit/shaders/divergence.glsl"
   }
-#line 226 "twin.cpp"
+#line 285 "twin.cpp"
 
 #line 36 "tests/emit/shaders/divergence.glsl"
   Float walk(Bool active, vec2 p, Int& rounds) {
@@ -242,30 +301,30 @@ struct Shader : Invocation {
         Bool active_2 = loop;
 #line 40 "tests/emit/shaders/divergence.glsl"
         set__(active_2, rounds, rounds + 1);
-        if (Bool active_3 = active_2 && (mod(make<Float>(rounds) + p.y, Float(3.0f)) < 1.0f); some__(active_3)) {
+        if (Bool active_3 = active_2 && (mod(make<Float>(rounds) + p.y, Float(3.0f)) < 1.0f); any__(active_3)) {
 #line 41 "tests/emit/shaders/divergence.glsl"
-          leave__(active_3, active_2);
+          mask_out__(active_3, active_2);
 #line 41 "tests/emit/shaders/divergence.glsl"
         }
         set__(active_2, x, x * 0.75f);
-        if (Bool active_3 = active_2 && (x < 0.4f); some__(active_3)) {
+        if (Bool active_3 = active_2 && (x < 0.4f); any__(active_3)) {
 #line 43 "tests/emit/shaders/divergence.glsl"
           set__(active_3, result, -x);
 #line 43 "tests/emit/shaders/divergence.glsl"
-          leave__(active_3, active_2, loop, active);
+          mask_out__(active_3, active_2, loop, active);
 #line 43 "tests/emit/shaders/divergence.glsl"
         }
         const Bool tmp = rounds < 9;
 #line 44 "tests/emit/shaders/divergence.glsl"
         Bool tmp_2 = tmp;
 #line 44 "tests/emit/shaders/divergence.glsl"
-        if (Bool active_2 = loop && tmp; some__(active_2)) {
+        if (Bool active_2 = loop && tmp; any__(active_2)) {
 #line 44 "tests/emit/shaders/divergence.glsl"
           const Bool tmp_3 = x > 1.0f;
 #line 44 "tests/emit/shaders/divergence.glsl"
           Bool tmp_4 = tmp_3;
 #line 44 "tests/emit/shaders/divergence.glsl"
-          if (Bool active_3 = active_2 && !tmp_3; some__(active_3)) {
+          if (Bool active_3 = active_2 && !tmp_3; any__(active_3)) {
 #line 44 "tests/emit/shaders/divergence.glsl"
             Int tmp_5 = steps;
 #line 44 "tests/emit/shaders/divergence.glsl"
@@ -283,7 +342,7 @@ struct Shader : Invocation {
 #line 44 "tests/emit/shaders/divergence.glsl"
         loop = loop && (tmp_2);
 #line 44 "tests/emit/shaders/divergence.glsl"
-      } while (some__(loop));
+      } while (any__(loop));
 #line 44 "tests/emit/shaders/divergence.glsl"
     }
 #line 44 "tests/emit/shaders/divergence.glsl"
@@ -298,27 +357,27 @@ struct Shader : Invocation {
 #line 45 "tests/emit/shaders/divergence.glsl"
         if (none__(loop)) break;
 #line 45 "tests/emit/shaders/divergence.glsl"
-        Bool active_4 = loop;
+        Bool active_2 = loop;
 #line 45 "tests/emit/shaders/divergence.glsl"
-        if (Bool active_5 = active_4 && (x > 8.0f + p.y); some__(active_5)) {
+        if (Bool active_3 = active_2 && (x > 8.0f + p.y); any__(active_3)) {
 #line 45 "tests/emit/shaders/divergence.glsl"
-          leave__(active_5, active_4, loop);
-#line 45 "tests/emit/shaders/divergence.glsl"
-        }
-#line 45 "tests/emit/shaders/divergence.glsl"
-        if (none__(active_4)) continue;
-#line 45 "tests/emit/shaders/divergence.glsl"
-        set__(active_4, x, x * 1.5f + 1.0f);
-#line 45 "tests/emit/shaders/divergence.glsl"
-        if (Bool active_5 = active_4 && (rounds > 6); some__(active_5)) {
-#line 45 "tests/emit/shaders/divergence.glsl"
-          set__(active_5, x, -3.0f);
-#line 45 "tests/emit/shaders/divergence.glsl"
-          leave__(active_5, active_4, loop);
+          mask_out__(active_3, active_2, loop);
 #line 45 "tests/emit/shaders/divergence.glsl"
         }
 #line 45 "tests/emit/shaders/divergence.glsl"
-        if (none__(active_4)) continue;
+        if (none__(active_2)) continue;
+#line 45 "tests/emit/shaders/divergence.glsl"
+        set__(active_2, x, x * 1.5f + 1.0f);
+#line 45 "tests/emit/shaders/divergence.glsl"
+        if (Bool active_3 = active_2 && (rounds > 6); any__(active_3)) {
+#line 45 "tests/emit/shaders/divergence.glsl"
+          set__(active_3, x, -3.0f);
+#line 45 "tests/emit/shaders/divergence.glsl"
+          mask_out__(active_3, active_2, loop);
+#line 45 "tests/emit/shaders/divergence.glsl"
+        }
+#line 45 "tests/emit/shaders/divergence.glsl"
+        if (none__(active_2)) continue;
 #line 45 "tests/emit/shaders/divergence.glsl"
       }
 #line 45 "tests/emit/shaders/divergence.glsl"
@@ -330,7 +389,7 @@ struct Shader : Invocation {
     return result;
 #line 46 "tests/emit/shaders/divergence.glsl"
   }
-#line 334 "twin.cpp"
+#line 393 "twin.cpp"
 
 #line 48 "tests/emit/shaders/divergence.glsl"
   void put(Bool active, Bag& bag, Int i, Int j) {
@@ -374,7 +433,7 @@ struct Shader : Invocation {
     put__(active, element_5, tmp_6, element_6);
 #line 52 "tests/emit/shaders/divergence.glsl"
     put__(active, bag.turn, tmp_5, element_5);
-    if (Bool active_2 = active && (i == 1); some__(active_2)) {
+    if (Bool active_2 = active && (i == 1); any__(active_2)) {
 #line 53 "tests/emit/shaders/divergence.glsl"
       const Int tmp_7 = j;
 #line 53 "tests/emit/shaders/divergence.glsl"
@@ -384,7 +443,7 @@ struct Shader : Invocation {
 #line 53 "tests/emit/shaders/divergence.glsl"
       put__(active_2, bag.items, tmp_7, element_7);
 #line 53 "tests/emit/shaders/divergence.glsl"
-      leave__(active_2, active);
+      mask_out__(active_2, active);
 #line 53 "tests/emit/shaders/divergence.glsl"
     }
 #line 53 "tests/emit/shaders/divergence.glsl"
@@ -398,7 +457,7 @@ struct Shader : Invocation {
     put__(active, bag.turn, tmp_8, element_8);
 #line 54 "tests/emit/shaders/divergence.glsl"
   }
-#line 402 "twin.cpp"
+#line 461 "twin.cpp"
 
 #line 56 "tests/emit/shaders/divergence.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -420,7 +479,7 @@ struct Shader : Invocation {
 #line 63 "tests/emit/shaders/divergence.glsl"
     Bool tmp_2 = tmp;
 #line 63 "tests/emit/shaders/divergence.glsl"
-    if (Bool active_2 = active && tmp; some__(active_2)) {
+    if (Bool active_2 = active && tmp; any__(active_2)) {
 #line 63 "tests/emit/shaders/divergence.glsl"
       set__(active_2, tmp_2, count(active_2, c));
 #line 63 "tests/emit/shaders/divergence.glsl"
@@ -430,35 +489,35 @@ struct Shader : Invocation {
 #line 63 "tests/emit/shaders/divergence.glsl"
     Bool tmp_4 = tmp_3;
 #line 63 "tests/emit/shaders/divergence.glsl"
-    if (Bool active_3 = active && !tmp_3; some__(active_3)) {
+    if (Bool active_2 = active && !tmp_3; any__(active_2)) {
 #line 63 "tests/emit/shaders/divergence.glsl"
       const Bool tmp_5 = n % 5 == 1;
 #line 63 "tests/emit/shaders/divergence.glsl"
       Bool tmp_6 = tmp_5;
 #line 63 "tests/emit/shaders/divergence.glsl"
-      if (Bool active_4 = active_3 && tmp_5; some__(active_4)) {
+      if (Bool active_3 = active_2 && tmp_5; any__(active_3)) {
 #line 63 "tests/emit/shaders/divergence.glsl"
-        set__(active_4, tmp_6, !count(active_4, c));
+        set__(active_3, tmp_6, !count(active_3, c));
 #line 63 "tests/emit/shaders/divergence.glsl"
       }
 #line 63 "tests/emit/shaders/divergence.glsl"
-      set__(active_3, tmp_4, tmp_6);
+      set__(active_2, tmp_4, tmp_6);
 #line 63 "tests/emit/shaders/divergence.glsl"
     }
 #line 63 "tests/emit/shaders/divergence.glsl"
     const Bool condition = tmp_4;
 #line 63 "tests/emit/shaders/divergence.glsl"
-    if (Bool active_5 = active && condition; some__(active_5)) {
+    if (Bool active_2 = active && condition; any__(active_2)) {
 #line 63 "tests/emit/shaders/divergence.glsl"
-      set__(active_5, c, c + 10);
+      set__(active_2, c, c + 10);
 #line 63 "tests/emit/shaders/divergence.glsl"
     }
 #line 63 "tests/emit/shaders/divergence.glsl"
-    if (Bool active_5 = active && !condition; some__(active_5)) {
+    if (Bool active_2 = active && !condition; any__(active_2)) {
 #line 63 "tests/emit/shaders/divergence.glsl"
-      if (Bool active_6 = active_5 && (n % 2 == 0); some__(active_6)) {
+      if (Bool active_3 = active_2 && (n % 2 == 0); any__(active_3)) {
 #line 63 "tests/emit/shaders/divergence.glsl"
-        set__(active_6, c, c - 5);
+        set__(active_3, c, c - 5);
 #line 63 "tests/emit/shaders/divergence.glsl"
       }
 #line 63 "tests/emit/shaders/divergence.glsl"
@@ -467,17 +526,17 @@ struct Shader : Invocation {
 #line 64 "tests/emit/shaders/divergence.glsl"
     Int tmp_7{};
 #line 64 "tests/emit/shaders/divergence.glsl"
-    if (Bool active_5 = active && condition_2; some__(active_5)) {
+    if (Bool active_2 = active && condition_2; any__(active_2)) {
 #line 64 "tests/emit/shaders/divergence.glsl"
-      count(active_5, c);
+      count(active_2, c);
 #line 64 "tests/emit/shaders/divergence.glsl"
-      set__(active_5, tmp_7, c * 2);
+      set__(active_2, tmp_7, c * 2);
 #line 64 "tests/emit/shaders/divergence.glsl"
     }
 #line 64 "tests/emit/shaders/divergence.glsl"
-    if (Bool active_6 = active && !condition_2; some__(active_6)) {
+    if (Bool active_2 = active && !condition_2; any__(active_2)) {
 #line 64 "tests/emit/shaders/divergence.glsl"
-      set__(active_6, tmp_7, select__(n % 3 == 1, make<Int>(at(grid, n % 9 - 1)), -c));
+      set__(active_2, tmp_7, select__(n % 3 == 1, make<Int>(at(grid, n % 9 - 1)), -c));
 #line 64 "tests/emit/shaders/divergence.glsl"
     }
 #line 64 "tests/emit/shaders/divergence.glsl"
@@ -505,8 +564,6 @@ struct Shader : Invocation {
     element_2 = element_2 + 1;
 #line 69 "tests/emit/shaders/divergence.glsl"
     put__(active, more, tmp_10, element_2);
-#line 69 "tests/emit/shaders/divergence.glsl"
-    element_2;
     Int i = 0;
     {
 #line 71 "tests/emit/shaders/divergence.glsl"
@@ -518,46 +575,46 @@ struct Shader : Invocation {
 #line 71 "tests/emit/shaders/divergence.glsl"
         if (none__(loop)) break;
 #line 71 "tests/emit/shaders/divergence.glsl"
-        Bool active_7 = loop;
+        Bool active_2 = loop;
 #line 71 "tests/emit/shaders/divergence.glsl"
-        if (Bool active_8 = active_7 && (i == n % 11); some__(active_8)) {
+        if (Bool active_3 = active_2 && (i == n % 11); any__(active_3)) {
 #line 71 "tests/emit/shaders/divergence.glsl"
-          leave__(active_8, active_7, loop);
-#line 71 "tests/emit/shaders/divergence.glsl"
-        }
-#line 71 "tests/emit/shaders/divergence.glsl"
-        if (none__(active_7)) continue;
-#line 71 "tests/emit/shaders/divergence.glsl"
-        if (Bool active_8 = active_7 && (i % 2 == 0); some__(active_8)) {
-#line 71 "tests/emit/shaders/divergence.glsl"
-          leave__(active_8, active_7);
+          mask_out__(active_3, active_2, loop);
 #line 71 "tests/emit/shaders/divergence.glsl"
         }
 #line 71 "tests/emit/shaders/divergence.glsl"
-        if (none__(active_7)) continue;
+        if (none__(active_2)) continue;
+#line 71 "tests/emit/shaders/divergence.glsl"
+        if (Bool active_3 = active_2 && (i % 2 == 0); any__(active_3)) {
+#line 71 "tests/emit/shaders/divergence.glsl"
+          mask_out__(active_3, active_2);
+#line 71 "tests/emit/shaders/divergence.glsl"
+        }
+#line 71 "tests/emit/shaders/divergence.glsl"
+        if (none__(active_2)) continue;
 #line 71 "tests/emit/shaders/divergence.glsl"
         const Int tmp_11 = i & 1;
 #line 71 "tests/emit/shaders/divergence.glsl"
         Int element_3 = at(more, tmp_11);
 #line 71 "tests/emit/shaders/divergence.glsl"
-        set__(active_7, element_3, element_3 + i);
+        set__(active_2, element_3, element_3 + i);
 #line 71 "tests/emit/shaders/divergence.glsl"
-        put__(active_7, more, tmp_11, element_3);
+        put__(active_2, more, tmp_11, element_3);
 #line 71 "tests/emit/shaders/divergence.glsl"
       }
 #line 71 "tests/emit/shaders/divergence.glsl"
     }
-    if (Bool active_7 = active && (n % 8 < 6); some__(active_7)) {
+    if (Bool active_2 = active && (n % 8 < 6); any__(active_2)) {
 #line 72 "tests/emit/shaders/divergence.glsl"
-      if (Bool active_8 = active_7 && (same__(at(first, n % 3), Item{vec2(4.0f, 5.0f), 6, false})); some__(active_8)) {
+      if (Bool active_3 = active_2 && same__(at(first, n % 3), Item{vec2(4.0f, 5.0f), 6, false}); any__(active_3)) {
 #line 72 "tests/emit/shaders/divergence.glsl"
-        set__(active_8, c, c + 1000);
+        set__(active_3, c, c + 1000);
 #line 72 "tests/emit/shaders/divergence.glsl"
       }
 #line 72 "tests/emit/shaders/divergence.glsl"
-      if (Bool active_8 = active_7 && (!same__(bag.items[0], Item{vec2(1.0f, 2.0f), 3, true})); some__(active_8)) {
+      if (Bool active_3 = active_2 && !same__(bag.items[0], Item{vec2(1.0f, 2.0f), 3, true}); any__(active_3)) {
 #line 72 "tests/emit/shaders/divergence.glsl"
-        set__(active_8, c, c + 2000);
+        set__(active_3, c, c + 2000);
 #line 72 "tests/emit/shaders/divergence.glsl"
       }
 #line 72 "tests/emit/shaders/divergence.glsl"
@@ -566,7 +623,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(make<Float>(a + b), w + make<Float>(r), dot(some.at_, bag.turn * v.xy()) + make<Float>(some.tag) + v.z * v.w, make<Float>(c + i * 10 + more[0] * 100 + more[1] + steps + select__(some.on, Int(5000), Int(0)))));
 #line 74 "tests/emit/shaders/divergence.glsl"
   }
-#line 570 "twin.cpp"
+#line 627 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,63 @@
 #include "reference/twin/invocation.h"
+#undef Bag
+#undef Item
+#undef a
+#undef at_
+#undef b
+#undef bag
+#undef c
+#undef color
+#undef count
+#undef early
+#undef first
+#undef grid
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef items
+#undef j
+#undef main
+#undef mainImage
+#undef more
+#undef n
+#undef odd
+#undef on
+#undef p
+#undef put
+#undef q
+#undef r
+#undef rounds
+#undef route
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef some
+#undef steps
+#undef sum
+#undef tag
+#undef turn
+#undef v
+#undef w
+#undef walk
+#undef x
 
 namespace shadertwin::glsl {
 namespace {
@@ -24,16 +83,16 @@ struct Shader : Invocation {
   vec4 shadertoy_out_color{};
   int steps{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
     steps = 0;
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 9 "tests/emit/shaders/divergence.glsl"
   int early(int n) {
@@ -63,7 +122,7 @@ struct Shader : Invocation {
     return -1;
 #line 18 "tests/emit/shaders/divergence.glsl"
   }
-#line 67 "twin.cpp"
+#line 126 "twin.cpp"
 
 #line 20 "tests/emit/shaders/divergence.glsl"
   bool count(int& n) {
@@ -75,7 +134,7 @@ struct Shader : Invocation {
     return (n & 1) == 0;
 #line 20 "tests/emit/shaders/divergence.glsl"
   }
-#line 79 "twin.cpp"
+#line 138 "twin.cpp"
 
 #line 21 "tests/emit/shaders/divergence.glsl"
   int route(int n) {
@@ -154,7 +213,7 @@ struct Shader : Invocation {
     return sum;
 #line 34 "tests/emit/shaders/divergence.glsl"
   }
-#line 158 "twin.cpp"
+#line 217 "twin.cpp"
 
 #line 36 "tests/emit/shaders/divergence.glsl"
   Float walk(vec2 p, int& rounds) {
@@ -200,7 +259,7 @@ struct Shader : Invocation {
     return x;
 #line 46 "tests/emit/shaders/divergence.glsl"
   }
-#line 204 "twin.cpp"
+#line 263 "twin.cpp"
 
 #line 48 "tests/emit/shaders/divergence.glsl"
   void put(Bag& bag, int i, int j) {
@@ -218,7 +277,7 @@ struct Shader : Invocation {
     swizzle<0, 1>(at(bag.turn, i & 1)) *= 2.0f;
 #line 54 "tests/emit/shaders/divergence.glsl"
   }
-#line 222 "twin.cpp"
+#line 281 "twin.cpp"
 
 #line 56 "tests/emit/shaders/divergence.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -296,7 +355,7 @@ struct Shader : Invocation {
     color = vec4(Float(a + b), w + Float(r), dot(some.at_, bag.turn * v.xy()) + Float(some.tag) + v.z * v.w, Float(c + i * 10 + more[0] * 100 + more[1] + steps + (some.on ? 5000 : 0)));
 #line 74 "tests/emit/shaders/divergence.glsl"
   }
-#line 300 "twin.cpp"
+#line 359 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

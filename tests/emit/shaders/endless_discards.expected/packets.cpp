@@ -1,4 +1,32 @@
 #include "reference/twin/packet_invocation.h"
+#undef color
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef main
+#undef mainImage
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef sum
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -6,22 +34,22 @@ namespace {
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/endless_discards.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 2 "tests/emit/shaders/endless_discards.glsl"
     set__(active, color, vec4(0.0f));
     Float sum = 1.0f / (1.0f + p.x);
-    if (Bool active_2 = active && (p.x + p.y > 20.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.x + p.y > 20.0f); any__(active_2)) {
 #line 4 "tests/emit/shaders/endless_discards.glsl"
       {
 #line 4 "tests/emit/shaders/endless_discards.glsl"
@@ -35,11 +63,11 @@ struct Shader : Invocation {
 #line 4 "tests/emit/shaders/endless_discards.glsl"
           Bool active_3 = loop;
 #line 4 "tests/emit/shaders/endless_discards.glsl"
-          if (Bool active_4 = active_3 && (p.x > 1.0f); some__(active_4)) {
+          if (Bool active_4 = active_3 && (p.x > 1.0f); any__(active_4)) {
 #line 4 "tests/emit/shaders/endless_discards.glsl"
             alive__ = alive__ && !active_4;
 #line 4 "tests/emit/shaders/endless_discards.glsl"
-            leave__(active_4, active_3, loop, active_2, active);
+            mask_out__(active_4, active_3, loop, active_2, active);
 #line 4 "tests/emit/shaders/endless_discards.glsl"
           }
 #line 4 "tests/emit/shaders/endless_discards.glsl"
@@ -55,7 +83,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(p, sum, 1.0f));
 #line 5 "tests/emit/shaders/endless_discards.glsl"
   }
-#line 59 "twin.cpp"
+#line 87 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,53 @@
 #include "reference/twin/packet_invocation.h"
+#undef Pair
+#undef a
+#undef b
+#undef c
+#undef color
+#undef d
+#undef e
+#undef f
+#undef g
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef k
+#undef late
+#undef list
+#undef main
+#undef mainImage
+#undef p
+#undef pick
+#undef q
+#undef r
+#undef rnd
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef state
+#undef sum
+#undef v
+#undef x
+#undef y
+#undef z
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -14,16 +63,16 @@ struct Shader : Invocation {
   vec4 shadertoy_out_color{};
   Uint state{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
     unwritten(active, state);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 3 "tests/emit/shaders/evaluation_order.glsl"
   Uint rnd(Bool active) {
@@ -33,7 +82,7 @@ struct Shader : Invocation {
     return state >> 9;
 #line 3 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 37 "twin.cpp"
+#line 86 "twin.cpp"
 
 #line 4 "tests/emit/shaders/evaluation_order.glsl"
   Float f(Bool active) {
@@ -41,7 +90,7 @@ struct Shader : Invocation {
     return make<Float>(rnd(active) & 255u);
 #line 4 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 45 "twin.cpp"
+#line 94 "twin.cpp"
 
 #line 5 "tests/emit/shaders/evaluation_order.glsl"
   Float g(Bool active, Float a, Float b, Float c) {
@@ -49,7 +98,7 @@ struct Shader : Invocation {
     return a - b * 2.0f + c * 4.0f;
 #line 5 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 53 "twin.cpp"
+#line 102 "twin.cpp"
 
 #line 7 "tests/emit/shaders/evaluation_order.glsl"
   Float pick(Bool active, int i) {
@@ -73,7 +122,7 @@ struct Shader : Invocation {
     return tmp;
 #line 7 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 77 "twin.cpp"
+#line 126 "twin.cpp"
 
 #line 9 "tests/emit/shaders/evaluation_order.glsl"
   vec4 late(Bool active, vec2 q) {
@@ -132,7 +181,7 @@ struct Shader : Invocation {
     return sum + vec4(r, z, tmp_11);
 #line 18 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 136 "twin.cpp"
+#line 185 "twin.cpp"
 
 #line 20 "tests/emit/shaders/evaluation_order.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -168,7 +217,7 @@ struct Shader : Invocation {
 #line 29 "tests/emit/shaders/evaluation_order.glsl"
     Bool tmp_11 = tmp_10;
 #line 29 "tests/emit/shaders/evaluation_order.glsl"
-    if (Bool active_2 = active && tmp_10; some__(active_2)) {
+    if (Bool active_2 = active && tmp_10; any__(active_2)) {
 #line 29 "tests/emit/shaders/evaluation_order.glsl"
       set__(active_2, tmp_11, f(active_2) > 50.0f);
 #line 29 "tests/emit/shaders/evaluation_order.glsl"
@@ -178,9 +227,9 @@ struct Shader : Invocation {
 #line 29 "tests/emit/shaders/evaluation_order.glsl"
     Bool tmp_13 = tmp_12;
 #line 29 "tests/emit/shaders/evaluation_order.glsl"
-    if (Bool active_3 = active && !tmp_12; some__(active_3)) {
+    if (Bool active_2 = active && !tmp_12; any__(active_2)) {
 #line 29 "tests/emit/shaders/evaluation_order.glsl"
-      set__(active_3, tmp_13, f(active_3) < 9.0f);
+      set__(active_2, tmp_13, f(active_2) < 9.0f);
 #line 29 "tests/emit/shaders/evaluation_order.glsl"
     }
 #line 29 "tests/emit/shaders/evaluation_order.glsl"
@@ -190,15 +239,15 @@ struct Shader : Invocation {
 #line 29 "tests/emit/shaders/evaluation_order.glsl"
     Float tmp_15{};
 #line 29 "tests/emit/shaders/evaluation_order.glsl"
-    if (Bool active_4 = active && condition; some__(active_4)) {
+    if (Bool active_2 = active && condition; any__(active_2)) {
 #line 29 "tests/emit/shaders/evaluation_order.glsl"
-      set__(active_4, tmp_15, f(active_4));
+      set__(active_2, tmp_15, f(active_2));
 #line 29 "tests/emit/shaders/evaluation_order.glsl"
     }
 #line 29 "tests/emit/shaders/evaluation_order.glsl"
-    if (Bool active_5 = active && !condition; some__(active_5)) {
+    if (Bool active_2 = active && !condition; any__(active_2)) {
 #line 29 "tests/emit/shaders/evaluation_order.glsl"
-      set__(active_5, tmp_15, -f(active_5));
+      set__(active_2, tmp_15, -f(active_2));
 #line 29 "tests/emit/shaders/evaluation_order.glsl"
     }
 #line 29 "tests/emit/shaders/evaluation_order.glsl"
@@ -222,9 +271,9 @@ struct Shader : Invocation {
 #line 31 "tests/emit/shaders/evaluation_order.glsl"
         Bool tmp_21 = tmp_20;
 #line 31 "tests/emit/shaders/evaluation_order.glsl"
-        if (Bool active_6 = loop && tmp_20; some__(active_6)) {
+        if (Bool active_2 = loop && tmp_20; any__(active_2)) {
 #line 31 "tests/emit/shaders/evaluation_order.glsl"
-          set__(active_6, tmp_21, f(active_6) < 250.0f);
+          set__(active_2, tmp_21, f(active_2) < 250.0f);
 #line 31 "tests/emit/shaders/evaluation_order.glsl"
         }
 #line 31 "tests/emit/shaders/evaluation_order.glsl"
@@ -232,9 +281,9 @@ struct Shader : Invocation {
 #line 31 "tests/emit/shaders/evaluation_order.glsl"
         if (none__(loop)) break;
 #line 31 "tests/emit/shaders/evaluation_order.glsl"
-        Bool active_7 = loop;
+        Bool active_2 = loop;
 #line 31 "tests/emit/shaders/evaluation_order.glsl"
-        set__(active_7, e, e + make<Float>(k));
+        set__(active_2, e, e + make<Float>(k));
 #line 31 "tests/emit/shaders/evaluation_order.glsl"
       }
 #line 31 "tests/emit/shaders/evaluation_order.glsl"
@@ -249,9 +298,9 @@ struct Shader : Invocation {
 #line 32 "tests/emit/shaders/evaluation_order.glsl"
         if (none__(loop)) break;
 #line 32 "tests/emit/shaders/evaluation_order.glsl"
-        Bool active_7 = loop;
+        Bool active_2 = loop;
 #line 32 "tests/emit/shaders/evaluation_order.glsl"
-        set__(active_7, e, e + 0.5f);
+        set__(active_2, e, e + 0.5f);
 #line 32 "tests/emit/shaders/evaluation_order.glsl"
       }
 #line 32 "tests/emit/shaders/evaluation_order.glsl"
@@ -261,19 +310,19 @@ struct Shader : Invocation {
 #line 34 "tests/emit/shaders/evaluation_order.glsl"
     float y = x * 3.0f;
     set__(active, color, vec4(v.x + 256.0f * v.y, v.z + 0.5f * a, b + q.a - q.b * 0.5f, list[0] - list[1] + c));
-    if (Bool active_7 = active && (mod(p.x, Float(2.0f)) > 1.0f); some__(active_7)) {
+    if (Bool active_2 = active && (mod(p.x, Float(2.0f)) > 1.0f); any__(active_2)) {
 #line 36 "tests/emit/shaders/evaluation_order.glsl"
-      set__(active_7, color, vec4(d, e, y, f(active_7)));
+      set__(active_2, color, vec4(d, e, y, f(active_2)));
 #line 36 "tests/emit/shaders/evaluation_order.glsl"
     }
-    if (Bool active_7 = active && (p.y > 8.0f); some__(active_7)) {
+    if (Bool active_2 = active && (p.y > 8.0f); any__(active_2)) {
 #line 37 "tests/emit/shaders/evaluation_order.glsl"
-      set__(active_7, color, late(active_7, p));
+      set__(active_2, color, late(active_2, p));
 #line 37 "tests/emit/shaders/evaluation_order.glsl"
     }
 #line 37 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 277 "twin.cpp"
+#line 326 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,53 @@
 #include "reference/twin/invocation.h"
+#undef Pair
+#undef a
+#undef b
+#undef c
+#undef color
+#undef d
+#undef e
+#undef f
+#undef g
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef k
+#undef late
+#undef list
+#undef main
+#undef mainImage
+#undef p
+#undef pick
+#undef q
+#undef r
+#undef rnd
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef state
+#undef sum
+#undef v
+#undef x
+#undef y
+#undef z
 
 namespace shadertwin::glsl {
 namespace {
@@ -13,16 +62,16 @@ struct Shader : Invocation {
   vec4 shadertoy_out_color{};
   uint state{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
     unwritten(state);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 3 "tests/emit/shaders/evaluation_order.glsl"
   uint rnd() {
@@ -32,7 +81,7 @@ struct Shader : Invocation {
     return state >> 9;
 #line 3 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 36 "twin.cpp"
+#line 85 "twin.cpp"
 
 #line 4 "tests/emit/shaders/evaluation_order.glsl"
   Float f() {
@@ -40,7 +89,7 @@ struct Shader : Invocation {
     return Float(rnd() & 255u);
 #line 4 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 44 "twin.cpp"
+#line 93 "twin.cpp"
 
 #line 5 "tests/emit/shaders/evaluation_order.glsl"
   Float g(Float a, Float b, Float c) {
@@ -48,7 +97,7 @@ struct Shader : Invocation {
     return a - b * 2.0f + c * 4.0f;
 #line 5 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 52 "twin.cpp"
+#line 101 "twin.cpp"
 
 #line 7 "tests/emit/shaders/evaluation_order.glsl"
   Float pick(int i) {
@@ -56,7 +105,7 @@ struct Shader : Invocation {
     return i > 1 ? f() : 1.0f;
 #line 7 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 60 "twin.cpp"
+#line 109 "twin.cpp"
 
 #line 9 "tests/emit/shaders/evaluation_order.glsl"
   vec4 late(vec2 q) {
@@ -93,7 +142,7 @@ struct Shader : Invocation {
     return sum + vec4(r, z, tmp_8);
 #line 18 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 97 "twin.cpp"
+#line 146 "twin.cpp"
 
 #line 20 "tests/emit/shaders/evaluation_order.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -160,7 +209,7 @@ struct Shader : Invocation {
     }
 #line 37 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 164 "twin.cpp"
+#line 213 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

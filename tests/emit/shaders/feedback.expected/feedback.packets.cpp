@@ -1,4 +1,33 @@
 #include "reference/twin/packet_invocation.h"
+#undef before
+#undef color
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef main
+#undef mainImage
+#undef other
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -9,18 +38,18 @@ struct Shader : Invocation {
   sampler2D iChannel0{};
   sampler2D iChannel1{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iFrame", iFrame);
     bind("iChannel0", iChannel0);
     bind("iChannel1", iChannel1);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 4 "tests/emit/shaders/feedback.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -29,11 +58,11 @@ struct Shader : Invocation {
     vec4 before = texelFetch(active, iChannel0, make<ivec2>(p), 0);
 #line 5 "tests/emit/shaders/feedback.glsl"
     vec4 other = texelFetch(active, iChannel1, modulo(make<ivec2>(p.yx()), Int(8)), 0);
-    if (Bool active_2 = active && (iFrame == 1 && p.x < 3.0f); some__(active_2)) {
+    if (Bool active_2 = active && (iFrame == 1 && p.x < 3.0f); any__(active_2)) {
 #line 6 "tests/emit/shaders/feedback.glsl"
       alive__ = alive__ && !active_2;
 #line 6 "tests/emit/shaders/feedback.glsl"
-      leave__(active_2, active);
+      mask_out__(active_2, active);
 #line 6 "tests/emit/shaders/feedback.glsl"
     }
 #line 6 "tests/emit/shaders/feedback.glsl"
@@ -41,7 +70,7 @@ struct Shader : Invocation {
     set__(active, color, before * 0.5f + other + float(iFrame));
 #line 7 "tests/emit/shaders/feedback.glsl"
   }
-#line 45 "twin.cpp"
+#line 74 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

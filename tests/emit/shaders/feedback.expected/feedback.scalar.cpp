@@ -1,4 +1,33 @@
 #include "reference/twin/invocation.h"
+#undef before
+#undef color
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef main
+#undef mainImage
+#undef other
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
 
 namespace shadertwin::glsl {
 namespace {
@@ -9,18 +38,18 @@ struct Shader : Invocation {
   sampler2D iChannel0{};
   sampler2D iChannel1{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iFrame", iFrame);
     bind("iChannel0", iChannel0);
     bind("iChannel1", iChannel1);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = true;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = true;
 
 #line 4 "tests/emit/shaders/feedback.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -31,13 +60,13 @@ struct Shader : Invocation {
     vec4 other = texelFetch(iChannel1, modulo(make<ivec2>(p.yx()), 8), 0);
     if (iFrame == 1 && p.x < 3.0f) {
 #line 6 "tests/emit/shaders/feedback.glsl"
-      stop_invocation();
+      stop_invocation__();
 #line 6 "tests/emit/shaders/feedback.glsl"
     }
     color = before * 0.5f + other + Float(iFrame);
 #line 7 "tests/emit/shaders/feedback.glsl"
   }
-#line 41 "twin.cpp"
+#line 70 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,32 @@
 #include "reference/twin/invocation.h"
+#undef color
+#undef h
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef main
+#undef mainImage
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
 
 namespace shadertwin::glsl {
 namespace {
@@ -7,16 +35,16 @@ struct Shader : Invocation {
   vec4 shadertoy_out_color{};
   int iFrame{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iFrame", iFrame);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/inputs/pattern.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -27,7 +55,7 @@ struct Shader : Invocation {
     color = vec4(Float(h & 255u), Float(h >> 8 & 255u), Float(h >> 16 & 255u), Float(h >> 24)) / 255.0f * 4.0f - 1.0f;
 #line 5 "tests/emit/shaders/inputs/pattern.glsl"
   }
-#line 31 "twin.cpp"
+#line 59 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

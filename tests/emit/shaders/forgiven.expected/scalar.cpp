@@ -1,4 +1,44 @@
 #include "reference/twin/invocation.h"
+#undef Segment
+#undef a
+#undef b
+#undef c
+#undef choose
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef k
+#undef main
+#undef mainImage
+#undef p
+#undef s
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef shadertwin_fma
+#undef shadertwin_length
+#undef shadertwin_mix
+#undef shadertwin_packed
+#undef shadertwin_step
+#undef shadertwin_unnamed_0
+#undef way
 
 namespace shadertwin::glsl {
 namespace {
@@ -14,17 +54,17 @@ struct Shader : Invocation {
   Float shadertwin_step{};
   Float shadertwin_packed{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
     shadertwin_step = 0.25f;
     shadertwin_packed = 2.0f;
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   Float shadertwin_mix(Float a, Float b, Float c) {
@@ -32,7 +72,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 36 "twin.cpp"
+#line 76 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   Float shadertwin_mix(Float a, Float b, bool c) {
@@ -40,7 +80,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 44 "twin.cpp"
+#line 84 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec2 shadertwin_mix(vec2 a, vec2 b, vec2 c) {
@@ -48,7 +88,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 52 "twin.cpp"
+#line 92 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec2 shadertwin_mix(vec2 a, vec2 b, Float c) {
@@ -56,7 +96,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 60 "twin.cpp"
+#line 100 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec2 shadertwin_mix(vec2 a, vec2 b, bvec2 c) {
@@ -64,7 +104,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 68 "twin.cpp"
+#line 108 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec3 shadertwin_mix(vec3 a, vec3 b, vec3 c) {
@@ -72,7 +112,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 76 "twin.cpp"
+#line 116 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec3 shadertwin_mix(vec3 a, vec3 b, Float c) {
@@ -80,7 +120,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 84 "twin.cpp"
+#line 124 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec3 shadertwin_mix(vec3 a, vec3 b, bvec3 c) {
@@ -88,7 +128,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 92 "twin.cpp"
+#line 132 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec4 shadertwin_mix(vec4 a, vec4 b, vec4 c) {
@@ -96,7 +136,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 100 "twin.cpp"
+#line 140 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec4 shadertwin_mix(vec4 a, vec4 b, Float c) {
@@ -104,7 +144,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 108 "twin.cpp"
+#line 148 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec4 shadertwin_mix(vec4 a, vec4 b, bvec4 c) {
@@ -112,7 +152,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 116 "twin.cpp"
+#line 156 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec2 shadertwin_mix(vec2 a, vec2 b, vec3 c) {
@@ -120,7 +160,7 @@ struct Shader : Invocation {
     return a * c.xy() + b * c.z;
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 124 "twin.cpp"
+#line 164 "twin.cpp"
 
 #line 11 "tests/emit/shaders/forgiven.glsl"
   vec3 shadertwin_fma(vec3 a, vec3 b, vec3 shadertwin_unnamed_0) {
@@ -128,7 +168,7 @@ struct Shader : Invocation {
     return a * b;
 #line 11 "tests/emit/shaders/forgiven.glsl"
   }
-#line 132 "twin.cpp"
+#line 172 "twin.cpp"
 
 #line 12 "tests/emit/shaders/forgiven.glsl"
   Float choose(int k) {
@@ -156,7 +196,7 @@ struct Shader : Invocation {
     return shadertwin_step;
 #line 18 "tests/emit/shaders/forgiven.glsl"
   }
-#line 160 "twin.cpp"
+#line 200 "twin.cpp"
 
 #line 20 "tests/emit/shaders/forgiven.glsl"
   void mainImage(vec4& c, vec2 p) {
@@ -167,7 +207,7 @@ struct Shader : Invocation {
     swizzle<0, 1, 2>(c) += shadertwin_fma(vec3(2.0f, 5.0f, 8.0f), vec3(p, 1.0f), vec3(0.0f));
 #line 25 "tests/emit/shaders/forgiven.glsl"
   }
-#line 171 "twin.cpp"
+#line 211 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

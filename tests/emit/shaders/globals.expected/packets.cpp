@@ -1,4 +1,47 @@
 #include "reference/twin/packet_invocation.h"
+#undef S
+#undef a
+#undef b
+#undef c
+#undef color
+#undef constant
+#undef count
+#undef d
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef kk
+#undef list
+#undef m
+#undef main
+#undef mainImage
+#undef p
+#undef s
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef step__
+#undef unused
+#undef x
+#undef y
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -25,7 +68,7 @@ struct Shader : Invocation {
   S s{};
   vec4 unused{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
     unwritten(active, c);
     unwritten(active, unused);
@@ -38,14 +81,14 @@ struct Shader : Invocation {
     s = S{1.0f, vec2(2.0f)};
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 9 "tests/emit/shaders/globals.glsl"
-  Float step_(Bool active) {
+  Float step__(Bool active) {
 #line 9 "tests/emit/shaders/globals.glsl"
     set__(active, a, a + 1.0f);
 #line 9 "tests/emit/shaders/globals.glsl"
@@ -58,7 +101,7 @@ struct Shader : Invocation {
     return a;
 #line 9 "tests/emit/shaders/globals.glsl"
   }
-#line 62 "twin.cpp"
+#line 105 "twin.cpp"
 
 #line 10 "tests/emit/shaders/globals.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -66,9 +109,9 @@ struct Shader : Invocation {
     set__(active, color, vec4(0.0f));
     set__(active, swizzle<0, 1>(b), p);
 #line 11 "tests/emit/shaders/globals.glsl"
-    const Float tmp = step_(active);
+    const Float tmp = step__(active);
 #line 11 "tests/emit/shaders/globals.glsl"
-    set__(active, c, tmp + step_(active) * 8.0f);
+    set__(active, c, tmp + step__(active) * 8.0f);
 #line 11 "tests/emit/shaders/globals.glsl"
     set__(active, m[1], m[1] * p);
     for (int i = 0; i < 2; i++) {
@@ -79,7 +122,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(a + c, b.x + d, vec2(kk) + s.y * m));
 #line 13 "tests/emit/shaders/globals.glsl"
   }
-#line 83 "twin.cpp"
+#line 126 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

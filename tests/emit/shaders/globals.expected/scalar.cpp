@@ -1,4 +1,47 @@
 #include "reference/twin/invocation.h"
+#undef S
+#undef a
+#undef b
+#undef c
+#undef color
+#undef constant
+#undef count
+#undef d
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef kk
+#undef list
+#undef m
+#undef main
+#undef mainImage
+#undef p
+#undef s
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef step__
+#undef unused
+#undef x
+#undef y
 
 namespace shadertwin::glsl {
 namespace {
@@ -24,7 +67,7 @@ struct Shader : Invocation {
   S s{};
   vec4 unused{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
     unwritten(c);
     unwritten(unused);
@@ -37,14 +80,14 @@ struct Shader : Invocation {
     s = S{1.0f, vec2(2.0f)};
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 9 "tests/emit/shaders/globals.glsl"
-  Float step_() {
+  Float step__() {
 #line 9 "tests/emit/shaders/globals.glsl"
     a += 1.0f;
 #line 9 "tests/emit/shaders/globals.glsl"
@@ -57,7 +100,7 @@ struct Shader : Invocation {
     return a;
 #line 9 "tests/emit/shaders/globals.glsl"
   }
-#line 61 "twin.cpp"
+#line 104 "twin.cpp"
 
 #line 10 "tests/emit/shaders/globals.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -65,9 +108,9 @@ struct Shader : Invocation {
     color = vec4(0.0f);
     swizzle<0, 1>(b) = p;
 #line 11 "tests/emit/shaders/globals.glsl"
-    const Float tmp = step_();
+    const Float tmp = step__();
 #line 11 "tests/emit/shaders/globals.glsl"
-    c = tmp + step_() * 8.0f;
+    c = tmp + step__() * 8.0f;
 #line 11 "tests/emit/shaders/globals.glsl"
     m[1] *= p;
     for (int i = 0; i < 2; i++) {
@@ -78,7 +121,7 @@ struct Shader : Invocation {
     color = vec4(a + c, b.x + d, kk + s.y * m);
 #line 13 "tests/emit/shaders/globals.glsl"
   }
-#line 82 "twin.cpp"
+#line 125 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

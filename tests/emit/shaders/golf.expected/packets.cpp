@@ -1,4 +1,51 @@
 #include "reference/twin/packet_invocation.h"
+#undef C
+#undef I
+#undef O
+#undef a
+#undef c
+#undef constructors
+#undef d
+#undef e
+#undef folds
+#undef g
+#undef headers
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef j
+#undef k
+#undef main
+#undef mainImage
+#undef n
+#undef next
+#undef p
+#undef s
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef steps
+#undef u
+#undef x
+#undef z
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -8,17 +55,17 @@ struct Shader : Invocation {
   uniform::vec3 iResolution{};
   Float n{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
     unwritten(active, n);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iResolution", iResolution);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 7 "tests/emit/shaders/golf.glsl"
   Float next(Bool active) {
@@ -28,7 +75,7 @@ struct Shader : Invocation {
     return n;
 #line 7 "tests/emit/shaders/golf.glsl"
   }
-#line 32 "twin.cpp"
+#line 79 "twin.cpp"
 
 #line 9 "tests/emit/shaders/golf.glsl"
   vec4 steps(Bool active, vec2 u) {
@@ -58,7 +105,7 @@ struct Shader : Invocation {
     return tanh(O / 20.0f);
 #line 14 "tests/emit/shaders/golf.glsl"
   }
-#line 62 "twin.cpp"
+#line 109 "twin.cpp"
 
 #line 17 "tests/emit/shaders/golf.glsl"
   vec4 folds(Bool active, vec2 u) {
@@ -86,7 +133,7 @@ struct Shader : Invocation {
     return vec4(p, d, e + i * 3.0f);
 #line 21 "tests/emit/shaders/golf.glsl"
   }
-#line 90 "twin.cpp"
+#line 137 "twin.cpp"
 
 #line 24 "tests/emit/shaders/golf.glsl"
   vec4 headers(Bool active, vec2 u) {
@@ -139,7 +186,7 @@ struct Shader : Invocation {
     return O;
 #line 36 "tests/emit/shaders/golf.glsl"
   }
-#line 143 "twin.cpp"
+#line 190 "twin.cpp"
 
 #line 39 "tests/emit/shaders/golf.glsl"
   vec4 constructors(Bool active, vec2 u) {
@@ -163,9 +210,9 @@ struct Shader : Invocation {
         if (none__(loop)) break;
 #line 41 "tests/emit/shaders/golf.glsl"
         Bool active_2 = loop;
-        if (Bool active_3 = active_2 && (i.x >= 0.3f); some__(active_3)) {
+        if (Bool active_3 = active_2 && (i.x >= 0.3f); any__(active_3)) {
 #line 42 "tests/emit/shaders/golf.glsl"
-          leave__(active_3, active_2, loop);
+          mask_out__(active_3, active_2, loop);
 #line 42 "tests/emit/shaders/golf.glsl"
         }
 #line 42 "tests/emit/shaders/golf.glsl"
@@ -198,22 +245,22 @@ struct Shader : Invocation {
 #line 49 "tests/emit/shaders/golf.glsl"
     vec4 tmp_2{};
 #line 49 "tests/emit/shaders/golf.glsl"
-    if (Bool active_2 = active && condition; some__(active_2)) {
+    if (Bool active_2 = active && condition; any__(active_2)) {
 #line 49 "tests/emit/shaders/golf.glsl"
       set__(active_2, tmp_2, O * next(active_2));
 #line 49 "tests/emit/shaders/golf.glsl"
     }
 #line 49 "tests/emit/shaders/golf.glsl"
-    if (Bool active_3 = active && !condition; some__(active_3)) {
+    if (Bool active_2 = active && !condition; any__(active_2)) {
 #line 49 "tests/emit/shaders/golf.glsl"
-      set__(active_3, tmp_2, O / next(active_3));
+      set__(active_2, tmp_2, O / next(active_2));
 #line 49 "tests/emit/shaders/golf.glsl"
     }
 #line 49 "tests/emit/shaders/golf.glsl"
     return tmp_2;
 #line 49 "tests/emit/shaders/golf.glsl"
   }
-#line 217 "twin.cpp"
+#line 264 "twin.cpp"
 
 #line 52 "tests/emit/shaders/golf.glsl"
   void mainImage(Bool active, vec4& O, vec2 I) {
@@ -223,54 +270,54 @@ struct Shader : Invocation {
 #line 53 "tests/emit/shaders/golf.glsl"
     vec4 tmp{};
 #line 53 "tests/emit/shaders/golf.glsl"
-    if (Bool active_2 = active && condition; some__(active_2)) {
+    if (Bool active_2 = active && condition; any__(active_2)) {
 #line 53 "tests/emit/shaders/golf.glsl"
       set__(active_2, tmp, steps(active_2, I));
 #line 53 "tests/emit/shaders/golf.glsl"
     }
 #line 53 "tests/emit/shaders/golf.glsl"
-    if (Bool active_3 = active && !condition; some__(active_3)) {
+    if (Bool active_2 = active && !condition; any__(active_2)) {
 #line 53 "tests/emit/shaders/golf.glsl"
       const Bool condition_2 = I.y < 5.0f;
 #line 53 "tests/emit/shaders/golf.glsl"
       vec4 tmp_2{};
 #line 53 "tests/emit/shaders/golf.glsl"
-      if (Bool active_4 = active_3 && condition_2; some__(active_4)) {
+      if (Bool active_3 = active_2 && condition_2; any__(active_3)) {
 #line 53 "tests/emit/shaders/golf.glsl"
-        set__(active_4, tmp_2, folds(active_4, I));
+        set__(active_3, tmp_2, folds(active_3, I));
 #line 53 "tests/emit/shaders/golf.glsl"
       }
 #line 53 "tests/emit/shaders/golf.glsl"
-      if (Bool active_5 = active_3 && !condition_2; some__(active_5)) {
+      if (Bool active_3 = active_2 && !condition_2; any__(active_3)) {
 #line 53 "tests/emit/shaders/golf.glsl"
         const Bool condition_3 = I.y < 7.0f;
 #line 53 "tests/emit/shaders/golf.glsl"
         vec4 tmp_3{};
 #line 53 "tests/emit/shaders/golf.glsl"
-        if (Bool active_6 = active_5 && condition_3; some__(active_6)) {
+        if (Bool active_4 = active_3 && condition_3; any__(active_4)) {
 #line 53 "tests/emit/shaders/golf.glsl"
-          set__(active_6, tmp_3, headers(active_6, I));
-#line 53 "tests/emit/shaders/golf.glsl"
-        }
-#line 53 "tests/emit/shaders/golf.glsl"
-        if (Bool active_7 = active_5 && !condition_3; some__(active_7)) {
-#line 53 "tests/emit/shaders/golf.glsl"
-          set__(active_7, tmp_3, constructors(active_7, I));
+          set__(active_4, tmp_3, headers(active_4, I));
 #line 53 "tests/emit/shaders/golf.glsl"
         }
 #line 53 "tests/emit/shaders/golf.glsl"
-        set__(active_5, tmp_2, tmp_3);
+        if (Bool active_4 = active_3 && !condition_3; any__(active_4)) {
+#line 53 "tests/emit/shaders/golf.glsl"
+          set__(active_4, tmp_3, constructors(active_4, I));
+#line 53 "tests/emit/shaders/golf.glsl"
+        }
+#line 53 "tests/emit/shaders/golf.glsl"
+        set__(active_3, tmp_2, tmp_3);
 #line 53 "tests/emit/shaders/golf.glsl"
       }
 #line 53 "tests/emit/shaders/golf.glsl"
-      set__(active_3, tmp, tmp_2);
+      set__(active_2, tmp, tmp_2);
 #line 53 "tests/emit/shaders/golf.glsl"
     }
 #line 53 "tests/emit/shaders/golf.glsl"
     set__(active, O, tmp);
 #line 53 "tests/emit/shaders/golf.glsl"
   }
-#line 274 "twin.cpp"
+#line 321 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -7,7 +7,7 @@ void mainImage(out vec4 o, vec2 p) {
   float zero = iTime;
   bool ok = true;
   int i = 0, j = 1;
-  float a[2][3] = float[2][3](float[3](1., 2., 3.), float[3](4., 5., 6.));
+  vec3 a[2] = vec3[2](vec3(1., 2., 3.), vec3(4., 5., 6.));
   a[i++][j++] += 10. + zero;
   a[i][i++] *= 2.;
   ok = ok && i == 2 && j == 2 && a[0][1] == 12. && a[1][1] == 10.;

@@ -1,4 +1,32 @@
 #include "reference/twin/packet_invocation.h"
+#undef color
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef main
+#undef mainImage
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef uv
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -8,17 +36,17 @@ struct Shader : Invocation {
   uniform::vec3 iResolution{};
   sampler2D iChannel0{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iResolution", iResolution);
     bind("iChannel0", iChannel0);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = true;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = true;
+  static constexpr bool uses_stop__ = false;
 
 #line 5 "tests/emit/shaders/implicit_lod.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -26,7 +54,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(0.0f));
     vec2 uv = p / vec2(iResolution.xy());
     set__(active, color, texture(active, iChannel0, uv * 3.7f));
-    if (Bool active_2 = active && (p.x > 8.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.x > 8.0f); any__(active_2)) {
 #line 8 "tests/emit/shaders/implicit_lod.glsl"
       set__(active_2, color, color + texture(active_2, iChannel0, uv * uv.x * 5.0f, 0.5f));
 #line 8 "tests/emit/shaders/implicit_lod.glsl"
@@ -34,7 +62,7 @@ struct Shader : Invocation {
     set__(active, color, color + (textureLod(active, iChannel0, uv, 1.5f) + textureGrad(active, iChannel0, uv, uniform::vec2(0.2f, 0.0f), uniform::vec2(0.0f, 0.1f))));
 #line 9 "tests/emit/shaders/implicit_lod.glsl"
   }
-#line 38 "twin.cpp"
+#line 66 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

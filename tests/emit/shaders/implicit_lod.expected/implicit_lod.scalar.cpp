@@ -1,4 +1,32 @@
 #include "reference/twin/invocation.h"
+#undef color
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef main
+#undef mainImage
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef uv
 
 namespace shadertwin::glsl {
 namespace {
@@ -8,17 +36,17 @@ struct Shader : Invocation {
   vec3 iResolution{};
   sampler2D iChannel0{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iResolution", iResolution);
     bind("iChannel0", iChannel0);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = true;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = true;
+  static constexpr bool uses_stop__ = false;
 
 #line 5 "tests/emit/shaders/implicit_lod.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -34,7 +62,7 @@ struct Shader : Invocation {
     color += textureLod(iChannel0, uv, 1.5f) + textureGrad(iChannel0, uv, vec2(0.2f, 0.0f), vec2(0.0f, 0.1f));
 #line 9 "tests/emit/shaders/implicit_lod.glsl"
   }
-#line 38 "twin.cpp"
+#line 66 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

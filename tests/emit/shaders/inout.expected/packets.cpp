@@ -1,4 +1,49 @@
 #include "reference/twin/packet_invocation.h"
+#undef a
+#undef add
+#undef b
+#undef c
+#undef color
+#undef counter
+#undef half_written
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef list
+#undef main
+#undef mainImage
+#undef next
+#undef p
+#undef pair
+#undef r
+#undef s
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef shared_value
+#undef sum
+#undef touch_global
+#undef v
+#undef write
+#undef x
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -8,17 +53,17 @@ struct Shader : Invocation {
   vec3 shared_value{};
   Float counter{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
     shared_value = vec3(1.0f, 2.0f, 3.0f);
     counter = 0.0f;
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 4 "tests/emit/shaders/inout.glsl"
   void add(Bool active, Float& a, Float b, Float& c) {
@@ -28,7 +73,7 @@ struct Shader : Invocation {
     set__(active, c, a * 2.0f);
 #line 4 "tests/emit/shaders/inout.glsl"
   }
-#line 32 "twin.cpp"
+#line 77 "twin.cpp"
 
 #line 5 "tests/emit/shaders/inout.glsl"
   void write(Bool active, vec2& v, Float x) {
@@ -38,7 +83,7 @@ struct Shader : Invocation {
     set__(active, v, vec2(x, -x));
 #line 5 "tests/emit/shaders/inout.glsl"
   }
-#line 42 "twin.cpp"
+#line 87 "twin.cpp"
 
 #line 6 "tests/emit/shaders/inout.glsl"
   Float touch_global(Bool active, vec3& v) {
@@ -52,7 +97,7 @@ struct Shader : Invocation {
     return shared_value.x + v.y;
 #line 6 "tests/emit/shaders/inout.glsl"
   }
-#line 56 "twin.cpp"
+#line 101 "twin.cpp"
 
 #line 7 "tests/emit/shaders/inout.glsl"
   Float next(Bool active, Float& s) {
@@ -62,7 +107,7 @@ struct Shader : Invocation {
     return s;
 #line 7 "tests/emit/shaders/inout.glsl"
   }
-#line 66 "twin.cpp"
+#line 111 "twin.cpp"
 
 #line 8 "tests/emit/shaders/inout.glsl"
   void half_written(Bool active, vec4& v, float x) {
@@ -78,7 +123,7 @@ struct Shader : Invocation {
     set__(active, v.z, 1.0f);
 #line 8 "tests/emit/shaders/inout.glsl"
   }
-#line 82 "twin.cpp"
+#line 127 "twin.cpp"
 
 #line 9 "tests/emit/shaders/inout.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -128,19 +173,19 @@ struct Shader : Invocation {
 #line 20 "tests/emit/shaders/inout.glsl"
     Float sum = tmp_10 + s;
     set__(active, color, vec4(v.x + v.z * 4.0f, r + shared_value.x * 100.0f + shared_value.y, pair.x + pair.y * 16.0f, sum));
-    if (Bool active_2 = active && (p.y < 2.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.y < 2.0f); any__(active_2)) {
 #line 22 "tests/emit/shaders/inout.glsl"
       set__(active_2, color, v);
 #line 22 "tests/emit/shaders/inout.glsl"
     }
-    if (Bool active_2 = active && (p.y > 6.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.y > 6.0f); any__(active_2)) {
 #line 23 "tests/emit/shaders/inout.glsl"
       set__(active_2, color, vec4(list[0], list[1], list[2], counter));
 #line 23 "tests/emit/shaders/inout.glsl"
     }
 #line 23 "tests/emit/shaders/inout.glsl"
   }
-#line 144 "twin.cpp"
+#line 189 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

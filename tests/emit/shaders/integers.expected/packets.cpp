@@ -1,4 +1,42 @@
 #include "reference/twin/packet_invocation.h"
+#undef color
+#undef d
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef m
+#undef main
+#undef mainImage
+#undef odd
+#undef p
+#undef product
+#undef q
+#undef rounded
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef u
+#undef v
+#undef wrapped
+#undef x
+#undef y
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -6,15 +44,15 @@ namespace {
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/integers.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -40,9 +78,9 @@ struct Shader : Invocation {
     v = v | 8;
 #line 10 "tests/emit/shaders/integers.glsl"
     v = v & -3;
-    ivec2 d = divide(ivec2(ivec2(17, -17)), ivec2(y + 1, 3));
+    ivec2 d = divide(ivec2(17, -17), ivec2(y + 1, 3));
     Int m = (y + 20) % 7;
-    uvec2 q = shift_right(uvec2(u), uvec2(uvec2(3u, 5u)));
+    uvec2 q = shift_right(uvec2(u), uvec2(3u, 5u));
     q = shift_left(q, Uint(2u));
     swizzle<1, 0>(q) = q.yx() ^ q;
 #line 15 "tests/emit/shaders/integers.glsl"
@@ -52,7 +90,7 @@ struct Shader : Invocation {
 #line 15 "tests/emit/shaders/integers.glsl"
     swizzle<1, 0>(q) = shift_left(q.yx(), Uint(1u));
 #line 15 "tests/emit/shaders/integers.glsl"
-    swizzle<1, 0>(q) = shift_right(q.yx(), uvec2(uvec2(1u, 2u)));
+    swizzle<1, 0>(q) = shift_right(q.yx(), uvec2(1u, 2u));
 #line 15 "tests/emit/shaders/integers.glsl"
     swizzle<2, 0>(v) = modulo(v.zx(), Int(11));
 #line 15 "tests/emit/shaders/integers.glsl"
@@ -67,18 +105,18 @@ struct Shader : Invocation {
     Bool odd = (y & 1) == 1 != x > 0;
     ivec2 rounded = make<ivec2>(vec2(p.x - 8.0f, p.y) * 1.75f);
     set__(active, color, vec4(make<Float>(u >> 8), make<Float>(wrapped / 1000), make<Float>(product), make<Float>(v.x + v.y * 16 + v.z * 256)));
-    if (Bool active_2 = active && (mod(p.x, Float(2.0f)) > 1.0f); some__(active_2)) {
+    if (Bool active_2 = active && (mod(p.x, Float(2.0f)) > 1.0f); any__(active_2)) {
       set__(active_2, color, vec4(make<Float>(d.x - d.y), make<Float>(m), make<Float>(q.x ^ q.y), make<Float>(rounded.x * 10 + rounded.y) + select__(odd, Float(0.5f), Float(0.0f))));
 #line 21 "tests/emit/shaders/integers.glsl"
     }
-    if (Bool active_2 = active && (mod(p.y, Float(4.0f)) > 3.0f); some__(active_2)) {
+    if (Bool active_2 = active && (mod(p.y, Float(4.0f)) > 3.0f); any__(active_2)) {
 #line 22 "tests/emit/shaders/integers.glsl"
       set__(active_2, color, vec4(uintBitsToFloat(u >> 9 | 1065353216u), make<Float>(x), make<Float>(make<Int>(u)), make<Float>(make<Uint>(x))));
 #line 22 "tests/emit/shaders/integers.glsl"
     }
 #line 22 "tests/emit/shaders/integers.glsl"
   }
-#line 82 "twin.cpp"
+#line 120 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

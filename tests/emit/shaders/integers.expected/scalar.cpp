@@ -1,4 +1,42 @@
 #include "reference/twin/invocation.h"
+#undef color
+#undef d
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef m
+#undef main
+#undef mainImage
+#undef odd
+#undef p
+#undef product
+#undef q
+#undef rounded
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef u
+#undef v
+#undef wrapped
+#undef x
+#undef y
 
 namespace shadertwin::glsl {
 namespace {
@@ -6,15 +44,15 @@ namespace {
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/integers.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -78,7 +116,7 @@ struct Shader : Invocation {
     }
 #line 22 "tests/emit/shaders/integers.glsl"
   }
-#line 82 "twin.cpp"
+#line 120 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

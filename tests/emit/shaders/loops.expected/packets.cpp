@@ -1,4 +1,45 @@
 #include "reference/twin/packet_invocation.h"
+#undef a
+#undef b
+#undef color
+#undef cur
+#undef fresh
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef j
+#undef k
+#undef later
+#undef main
+#undef mainImage
+#undef n
+#undef once
+#undef p
+#undef prev
+#undef q
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef sum
+#undef t
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -6,15 +47,15 @@ namespace {
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/loops.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -51,9 +92,9 @@ struct Shader : Invocation {
 #line 6 "tests/emit/shaders/loops.glsl"
         set__(active_2, k, k + 1);
 #line 6 "tests/emit/shaders/loops.glsl"
-        if (Bool active_3 = active_2 && (tmp > 8); some__(active_3)) {
+        if (Bool active_3 = active_2 && (tmp > 8); any__(active_3)) {
 #line 6 "tests/emit/shaders/loops.glsl"
-          leave__(active_3, active_2, loop);
+          mask_out__(active_3, active_2, loop);
 #line 6 "tests/emit/shaders/loops.glsl"
         }
 #line 6 "tests/emit/shaders/loops.glsl"
@@ -78,7 +119,7 @@ struct Shader : Invocation {
 #line 7 "tests/emit/shaders/loops.glsl"
         loop = loop && (k > 0);
 #line 7 "tests/emit/shaders/loops.glsl"
-      } while (some__(loop));
+      } while (any__(loop));
 #line 7 "tests/emit/shaders/loops.glsl"
     }
     {
@@ -91,9 +132,9 @@ struct Shader : Invocation {
 #line 8 "tests/emit/shaders/loops.glsl"
         Bool active_2 = loop;
 #line 8 "tests/emit/shaders/loops.glsl"
-        if (Bool active_3 = active_2 && (b > 30.0f); some__(active_3)) {
+        if (Bool active_3 = active_2 && (b > 30.0f); any__(active_3)) {
 #line 8 "tests/emit/shaders/loops.glsl"
-          leave__(active_3, active_2, loop);
+          mask_out__(active_3, active_2, loop);
 #line 8 "tests/emit/shaders/loops.glsl"
         }
 #line 8 "tests/emit/shaders/loops.glsl"
@@ -178,13 +219,13 @@ struct Shader : Invocation {
 #line 19 "tests/emit/shaders/loops.glsl"
     const Bool condition = p.x > 3.0f;
 #line 19 "tests/emit/shaders/loops.glsl"
-    if (Bool active_2 = active && condition; some__(active_2)) {
+    if (Bool active_2 = active && condition; any__(active_2)) {
 #line 19 "tests/emit/shaders/loops.glsl"
       set__(active_2, later, 2.0f);
 #line 19 "tests/emit/shaders/loops.glsl"
     }
 #line 19 "tests/emit/shaders/loops.glsl"
-    if (Bool active_2 = active && !condition; some__(active_2)) {
+    if (Bool active_2 = active && !condition; any__(active_2)) {
 #line 19 "tests/emit/shaders/loops.glsl"
       set__(active_2, later, 3.0f);
 #line 19 "tests/emit/shaders/loops.glsl"
@@ -192,7 +233,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(a, b, sum, fresh + float(n) + float(i) + later));
 #line 20 "tests/emit/shaders/loops.glsl"
   }
-#line 196 "twin.cpp"
+#line 237 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,45 @@
 #include "reference/twin/invocation.h"
+#undef a
+#undef b
+#undef color
+#undef cur
+#undef fresh
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef j
+#undef k
+#undef later
+#undef main
+#undef mainImage
+#undef n
+#undef once
+#undef p
+#undef prev
+#undef q
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef sum
+#undef t
 
 namespace shadertwin::glsl {
 namespace {
@@ -6,15 +47,15 @@ namespace {
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/loops.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -148,7 +189,7 @@ struct Shader : Invocation {
     color = vec4(a, b, sum, fresh + Float(n) + Float(i) + later);
 #line 20 "tests/emit/shaders/loops.glsl"
   }
-#line 152 "twin.cpp"
+#line 193 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

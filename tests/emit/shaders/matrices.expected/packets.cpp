@@ -1,4 +1,56 @@
 #include "reference/twin/packet_invocation.h"
+#undef a
+#undef big
+#undef c
+#undef color
+#undef det
+#undef from
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef inv
+#undef m
+#undef main
+#undef mainImage
+#undef mixed
+#undef n
+#undef nn
+#undef nt
+#undef nv
+#undef outer
+#undef p
+#undef product
+#undef quotient
+#undef r
+#undef rotation
+#undef rr
+#undef s
+#undef same
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef small
+#undef v
+#undef vn
+#undef w
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -6,15 +58,15 @@ namespace {
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/matrices.glsl"
   mat3 rotation(Bool active, Float a) {
@@ -26,7 +78,7 @@ struct Shader : Invocation {
     return make<mat3>(c, -s, 0.0f, s, c, 0.0f, 0.0f, 0.0f, 1.0f);
 #line 2 "tests/emit/shaders/matrices.glsl"
   }
-#line 30 "twin.cpp"
+#line 82 "twin.cpp"
 
 #line 3 "tests/emit/shaders/matrices.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -84,24 +136,24 @@ struct Shader : Invocation {
     Float det = determinant(make<mat2>(2.0f, 1.0f, p.x, 3.0f));
     uniform::mat2 inv = uniform::mat2(0.5f, -0.0f, -0.0f, 0.25f);
     set__(active, color, vec4(v, w.x + w.y, at(rr, i).x));
-    if (Bool active_2 = active && (p.y > 2.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.y > 2.0f); any__(active_2)) {
 #line 20 "tests/emit/shaders/matrices.glsl"
       set__(active_2, color, vec4(nv.x, vn.y, nn[1].x, at(small, i).z));
 #line 20 "tests/emit/shaders/matrices.glsl"
     }
-    if (Bool active_2 = active && (p.y > 4.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.y > 4.0f); any__(active_2)) {
 #line 21 "tests/emit/shaders/matrices.glsl"
       set__(active_2, color, vec4(mixed[1].x, product[0].y, outer[1].y, quotient[0].x + select__(same__(m, same), Float(1.0f), Float(0.0f))));
 #line 21 "tests/emit/shaders/matrices.glsl"
     }
-    if (Bool active_2 = active && (p.y > 6.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.y > 6.0f); any__(active_2)) {
 #line 22 "tests/emit/shaders/matrices.glsl"
       set__(active_2, color, vec4(det, inv[1].y, -m[0].x, (-m + same)[0].x));
 #line 22 "tests/emit/shaders/matrices.glsl"
     }
 #line 22 "tests/emit/shaders/matrices.glsl"
   }
-#line 105 "twin.cpp"
+#line 157 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,56 @@
 #include "reference/twin/invocation.h"
+#undef a
+#undef big
+#undef c
+#undef color
+#undef det
+#undef from
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef inv
+#undef m
+#undef main
+#undef mainImage
+#undef mixed
+#undef n
+#undef nn
+#undef nt
+#undef nv
+#undef outer
+#undef p
+#undef product
+#undef quotient
+#undef r
+#undef rotation
+#undef rr
+#undef s
+#undef same
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef small
+#undef v
+#undef vn
+#undef w
 
 namespace shadertwin::glsl {
 namespace {
@@ -6,15 +58,15 @@ namespace {
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/matrices.glsl"
   mat3 rotation(Float a) {
@@ -26,7 +78,7 @@ struct Shader : Invocation {
     return mat3(c, -s, 0.0f, s, c, 0.0f, 0.0f, 0.0f, 1.0f);
 #line 2 "tests/emit/shaders/matrices.glsl"
   }
-#line 30 "twin.cpp"
+#line 82 "twin.cpp"
 
 #line 3 "tests/emit/shaders/matrices.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -101,7 +153,7 @@ struct Shader : Invocation {
     }
 #line 22 "tests/emit/shaders/matrices.glsl"
   }
-#line 105 "twin.cpp"
+#line 157 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -3,79 +3,150 @@
 #undef INFINITY
 #undef M_PI
 #undef NULL
+#undef Shader_
+#undef _Atomic_
+#undef _Complex_
+#undef a
+#undef and_
+#undef array_
+#undef array__
+#undef assert
+#undef at_
+#undef char_
+#undef class__
+#undef color
+#undef delete_
+#undef divide_
+#undef errno
+#undef fract__
+#undef friend__
+#undef glm
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef int__
+#undef lane_
+#undef length
+#undef main
+#undef mainImage
+#undef main_
+#undef make_
+#undef map
+#undef mix
+#undef new_
+#undef noise
+#undef not_eq_
+#undef nullptr_
+#undef operator__
+#undef or_
+#undef p
+#undef private__
+#undef register__
+#undef s
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef signed_
+#undef std_
+#undef swizzle_
+#undef this__
+#undef thread_local_
+#undef tmp
+#undef uv
+#undef vec
+#undef wchar_t_
+#undef x
+#undef xor_
 
 namespace shadertwin::glsl::packet {
 namespace {
 
-struct private_ {
-  Float operator_;
-  vec2 friend_;
-  friend void set__(Bool m, private_& to, const private_& from) { set__(m, to.operator_, from.operator_); set__(m, to.friend_, from.friend_); }
-  friend Bool same__(const private_& a, const private_& b) { return Bool(true) && same__(a.operator_, b.operator_) && same__(a.friend_, b.friend_); }
+struct private__ {
+  Float operator__;
+  vec2 friend__;
+  friend void set__(Bool m, private__& to, const private__& from) { set__(m, to.operator__, from.operator__); set__(m, to.friend__, from.friend__); }
+  friend Bool same__(const private__& a, const private__& b) { return Bool(true) && same__(a.operator__, b.operator__) && same__(a.friend__, b.friend__); }
 };
 
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
-  Float register_{};
-  Float M_PI_{};
-  Float NULL_{};
-  Float EOF_{};
-  Float assert_{};
-  Float errno_{};
-  Float INFINITY_{};
+  Float register__{};
+  Float M_PI{};
+  Float NULL{};
+  Float EOF{};
+  Float assert{};
+  Float errno{};
+  Float INFINITY{};
   vec2 uv{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
-    unwritten(active, register_);
-    M_PI_ = 3.0f;
-    NULL_ = 4.0f;
-    EOF_ = 5.0f;
-    assert_ = 6.0f;
-    errno_ = 7.0f;
-    INFINITY_ = 2.0f;
+    unwritten(active, register__);
+    M_PI = 3.0f;
+    NULL = 4.0f;
+    EOF = 5.0f;
+    assert = 6.0f;
+    errno = 7.0f;
+    INFINITY = 2.0f;
     uv = vec2(3.0f);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 3 "tests/emit/shaders/names.glsl"
-  float class_(Bool active, float a) {
+  float class__(Bool active, float a) {
 #line 3 "tests/emit/shaders/names.glsl"
     return a;
 #line 3 "tests/emit/shaders/names.glsl"
   }
-#line 53 "twin.cpp"
+#line 124 "twin.cpp"
 
 #line 4 "tests/emit/shaders/names.glsl"
-  float delete_(Bool active, float this_) {
+  float delete_(Bool active, float this__) {
 #line 4 "tests/emit/shaders/names.glsl"
-    return this_ + 1.0f;
+    return this__ + 1.0f;
 #line 4 "tests/emit/shaders/names.glsl"
   }
-#line 61 "twin.cpp"
+#line 132 "twin.cpp"
 
 #line 5 "tests/emit/shaders/names.glsl"
-  float int_(Bool active, float and_) {
+  float int__(Bool active, float and_) {
 #line 5 "tests/emit/shaders/names.glsl"
     float or_ = and_ * 2.0f;
 #line 5 "tests/emit/shaders/names.glsl"
     return or_;
 #line 5 "tests/emit/shaders/names.glsl"
   }
-#line 71 "twin.cpp"
+#line 142 "twin.cpp"
 
 #line 6 "tests/emit/shaders/names.glsl"
-  float fract_(Bool active, float x) {
+  float fract__(Bool active, float x) {
 #line 6 "tests/emit/shaders/names.glsl"
     return x - floor(x);
 #line 6 "tests/emit/shaders/names.glsl"
   }
-#line 79 "twin.cpp"
+#line 150 "twin.cpp"
 
 #line 7 "tests/emit/shaders/names.glsl"
   Float array_(Bool active, Float std_) {
@@ -83,7 +154,7 @@ struct Shader : Invocation {
     return std_ * 3.0f;
 #line 7 "tests/emit/shaders/names.glsl"
   }
-#line 87 "twin.cpp"
+#line 158 "twin.cpp"
 
 #line 8 "tests/emit/shaders/names.glsl"
   float swizzle_(Bool active, float at_) {
@@ -91,7 +162,7 @@ struct Shader : Invocation {
     return at_ - 1.0f;
 #line 8 "tests/emit/shaders/names.glsl"
   }
-#line 95 "twin.cpp"
+#line 166 "twin.cpp"
 
 #line 9 "tests/emit/shaders/names.glsl"
   Float _Complex_(Bool active, Float _Atomic_) {
@@ -99,7 +170,7 @@ struct Shader : Invocation {
     return _Atomic_;
 #line 9 "tests/emit/shaders/names.glsl"
   }
-#line 103 "twin.cpp"
+#line 174 "twin.cpp"
 
 #line 13 "tests/emit/shaders/names.glsl"
   float map(Bool active, uniform::vec3 p) {
@@ -107,7 +178,7 @@ struct Shader : Invocation {
     return p.x;
 #line 13 "tests/emit/shaders/names.glsl"
   }
-#line 111 "twin.cpp"
+#line 182 "twin.cpp"
 
 #line 14 "tests/emit/shaders/names.glsl"
   Float noise(Bool active, Float p) {
@@ -115,7 +186,7 @@ struct Shader : Invocation {
     return p * 0.5f;
 #line 14 "tests/emit/shaders/names.glsl"
   }
-#line 119 "twin.cpp"
+#line 190 "twin.cpp"
 
 #line 16 "tests/emit/shaders/names.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -143,13 +214,13 @@ struct Shader : Invocation {
     float not_eq_ = 8.0f;
 #line 18 "tests/emit/shaders/names.glsl"
     float wchar_t_ = 9.0f;
-    Float array__2 = array_(active, p.y);
+    Float array__ = array_(active, p.y);
 #line 19 "tests/emit/shaders/names.glsl"
     float Shader_ = 2.0f;
 #line 19 "tests/emit/shaders/names.glsl"
     float vec = 3.0f;
 #line 19 "tests/emit/shaders/names.glsl"
-    float glm_ = 4.0f;
+    float glm = 4.0f;
 #line 19 "tests/emit/shaders/names.glsl"
     float tmp = 1.0f;
 #line 19 "tests/emit/shaders/names.glsl"
@@ -170,11 +241,11 @@ struct Shader : Invocation {
       noise_2 = noise_2 + p_2;
 #line 21 "tests/emit/shaders/names.glsl"
     }
-    private_ s = private_{1.0f, vec2(2.0f, 3.0f)};
-    set__(active, color, vec4(noise_2 + length_2 + mix, char_ + signed_ * new_ + nullptr_ + main_ + thread_local_ + xor_ + not_eq_ + wchar_t_, array__2 + Shader_ + vec + glm_ + tmp + make_ + divide_ + lane_ + swizzle_(active, delete_(active, int_(active, 1.0f))), M_PI_ + NULL_ + EOF_ + assert_ + errno_ + INFINITY_ + s.friend_.y + s.operator_ + uv_2.y + map(active, uniform::vec3(1.0f)) + class_(active, 2.0f) + fract_(active, 1.25f)));
+    private__ s = private__{1.0f, vec2(2.0f, 3.0f)};
+    set__(active, color, vec4(noise_2 + length_2 + mix, char_ + signed_ * new_ + nullptr_ + main_ + thread_local_ + xor_ + not_eq_ + wchar_t_, array__ + Shader_ + vec + glm + tmp + make_ + divide_ + lane_ + swizzle_(active, delete_(active, int__(active, 1.0f))), M_PI + NULL + EOF + assert + errno + INFINITY + s.friend__.y + s.operator__ + uv_2.y + map(active, uniform::vec3(1.0f)) + class__(active, 2.0f) + fract__(active, 1.25f)));
 #line 23 "tests/emit/shaders/names.glsl"
   }
-#line 178 "twin.cpp"
+#line 249 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

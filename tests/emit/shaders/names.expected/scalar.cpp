@@ -3,78 +3,149 @@
 #undef INFINITY
 #undef M_PI
 #undef NULL
+#undef Shader_
+#undef _Atomic_
+#undef _Complex_
+#undef a
+#undef and_
+#undef array_
+#undef array__
+#undef assert
+#undef at_
+#undef char_
+#undef class__
+#undef color
+#undef delete_
+#undef divide_
+#undef errno
+#undef fract__
+#undef friend__
+#undef glm
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef int__
+#undef lane_
+#undef length
+#undef main
+#undef mainImage
+#undef main_
+#undef make_
+#undef map
+#undef mix
+#undef new_
+#undef noise
+#undef not_eq_
+#undef nullptr_
+#undef operator__
+#undef or_
+#undef p
+#undef private__
+#undef register__
+#undef s
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef signed_
+#undef std_
+#undef swizzle_
+#undef this__
+#undef thread_local_
+#undef tmp
+#undef uv
+#undef vec
+#undef wchar_t_
+#undef x
+#undef xor_
 
 namespace shadertwin::glsl {
 namespace {
 
-struct private_ {
-  Float operator_;
-  vec2 friend_;
-  bool operator==(const private_&) const = default;
+struct private__ {
+  Float operator__;
+  vec2 friend__;
+  bool operator==(const private__&) const = default;
 };
 
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
-  Float register_{};
-  Float M_PI_{};
-  Float NULL_{};
-  Float EOF_{};
-  Float assert_{};
-  Float errno_{};
-  Float INFINITY_{};
+  Float register__{};
+  Float M_PI{};
+  Float NULL{};
+  Float EOF{};
+  Float assert{};
+  Float errno{};
+  Float INFINITY{};
   vec2 uv{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
-    unwritten(register_);
-    M_PI_ = 3.0f;
-    NULL_ = 4.0f;
-    EOF_ = 5.0f;
-    assert_ = 6.0f;
-    errno_ = 7.0f;
-    INFINITY_ = 2.0f;
+    unwritten(register__);
+    M_PI = 3.0f;
+    NULL = 4.0f;
+    EOF = 5.0f;
+    assert = 6.0f;
+    errno = 7.0f;
+    INFINITY = 2.0f;
     uv = vec2(3.0f);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 3 "tests/emit/shaders/names.glsl"
-  Float class_(Float a) {
+  Float class__(Float a) {
 #line 3 "tests/emit/shaders/names.glsl"
     return a;
 #line 3 "tests/emit/shaders/names.glsl"
   }
-#line 52 "twin.cpp"
+#line 123 "twin.cpp"
 
 #line 4 "tests/emit/shaders/names.glsl"
-  Float delete_(Float this_) {
+  Float delete_(Float this__) {
 #line 4 "tests/emit/shaders/names.glsl"
-    return this_ + 1.0f;
+    return this__ + 1.0f;
 #line 4 "tests/emit/shaders/names.glsl"
   }
-#line 60 "twin.cpp"
+#line 131 "twin.cpp"
 
 #line 5 "tests/emit/shaders/names.glsl"
-  Float int_(Float and_) {
+  Float int__(Float and_) {
 #line 5 "tests/emit/shaders/names.glsl"
     Float or_ = and_ * 2.0f;
 #line 5 "tests/emit/shaders/names.glsl"
     return or_;
 #line 5 "tests/emit/shaders/names.glsl"
   }
-#line 70 "twin.cpp"
+#line 141 "twin.cpp"
 
 #line 6 "tests/emit/shaders/names.glsl"
-  Float fract_(Float x) {
+  Float fract__(Float x) {
 #line 6 "tests/emit/shaders/names.glsl"
     return x - floor(x);
 #line 6 "tests/emit/shaders/names.glsl"
   }
-#line 78 "twin.cpp"
+#line 149 "twin.cpp"
 
 #line 7 "tests/emit/shaders/names.glsl"
   Float array_(Float std_) {
@@ -82,7 +153,7 @@ struct Shader : Invocation {
     return std_ * 3.0f;
 #line 7 "tests/emit/shaders/names.glsl"
   }
-#line 86 "twin.cpp"
+#line 157 "twin.cpp"
 
 #line 8 "tests/emit/shaders/names.glsl"
   Float swizzle_(Float at_) {
@@ -90,7 +161,7 @@ struct Shader : Invocation {
     return at_ - 1.0f;
 #line 8 "tests/emit/shaders/names.glsl"
   }
-#line 94 "twin.cpp"
+#line 165 "twin.cpp"
 
 #line 9 "tests/emit/shaders/names.glsl"
   Float _Complex_(Float _Atomic_) {
@@ -98,7 +169,7 @@ struct Shader : Invocation {
     return _Atomic_;
 #line 9 "tests/emit/shaders/names.glsl"
   }
-#line 102 "twin.cpp"
+#line 173 "twin.cpp"
 
 #line 13 "tests/emit/shaders/names.glsl"
   Float map(vec3 p) {
@@ -106,7 +177,7 @@ struct Shader : Invocation {
     return p.x;
 #line 13 "tests/emit/shaders/names.glsl"
   }
-#line 110 "twin.cpp"
+#line 181 "twin.cpp"
 
 #line 14 "tests/emit/shaders/names.glsl"
   Float noise(Float p) {
@@ -114,7 +185,7 @@ struct Shader : Invocation {
     return p * 0.5f;
 #line 14 "tests/emit/shaders/names.glsl"
   }
-#line 118 "twin.cpp"
+#line 189 "twin.cpp"
 
 #line 16 "tests/emit/shaders/names.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -142,13 +213,13 @@ struct Shader : Invocation {
     Float not_eq_ = 8.0f;
 #line 18 "tests/emit/shaders/names.glsl"
     Float wchar_t_ = 9.0f;
-    Float array__2 = array_(p.y);
+    Float array__ = array_(p.y);
 #line 19 "tests/emit/shaders/names.glsl"
     Float Shader_ = 2.0f;
 #line 19 "tests/emit/shaders/names.glsl"
     Float vec = 3.0f;
 #line 19 "tests/emit/shaders/names.glsl"
-    Float glm_ = 4.0f;
+    Float glm = 4.0f;
 #line 19 "tests/emit/shaders/names.glsl"
     Float tmp = 1.0f;
 #line 19 "tests/emit/shaders/names.glsl"
@@ -169,11 +240,11 @@ struct Shader : Invocation {
       noise_2 += p_2;
 #line 21 "tests/emit/shaders/names.glsl"
     }
-    private_ s = private_{1.0f, vec2(2.0f, 3.0f)};
-    color = vec4(noise_2 + length_2 + mix, char_ + signed_ * new_ + nullptr_ + main_ + thread_local_ + xor_ + not_eq_ + wchar_t_, array__2 + Shader_ + vec + glm_ + tmp + make_ + divide_ + lane_ + swizzle_(delete_(int_(1.0f))), M_PI_ + NULL_ + EOF_ + assert_ + errno_ + INFINITY_ + s.friend_.y + s.operator_ + uv_2.y + map(vec3(1.0f)) + class_(2.0f) + fract_(1.25f));
+    private__ s = private__{1.0f, vec2(2.0f, 3.0f)};
+    color = vec4(noise_2 + length_2 + mix, char_ + signed_ * new_ + nullptr_ + main_ + thread_local_ + xor_ + not_eq_ + wchar_t_, array__ + Shader_ + vec + glm + tmp + make_ + divide_ + lane_ + swizzle_(delete_(int__(1.0f))), M_PI + NULL + EOF + assert + errno + INFINITY + s.friend__.y + s.operator__ + uv_2.y + map(vec3(1.0f)) + class__(2.0f) + fract__(1.25f));
 #line 23 "tests/emit/shaders/names.glsl"
   }
-#line 177 "twin.cpp"
+#line 248 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

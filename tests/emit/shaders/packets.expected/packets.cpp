@@ -1,4 +1,56 @@
 #include "reference/twin/packet_invocation.h"
+#undef a
+#undef b
+#undef c
+#undef color
+#undef d
+#undef e
+#undef f
+#undef gone
+#undef grid
+#undef grow
+#undef h
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef j
+#undef k
+#undef m
+#undef main
+#undef mainImage
+#undef map
+#undef n
+#undef p
+#undef r
+#undef s
+#undef set
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef shared_
+#undef sum
+#undef total
+#undef touch
+#undef two
+#undef x
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -8,17 +60,17 @@ struct Shader : Invocation {
   array<vec2, 2> shared_{};
   Int total{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
     unwritten(active, shared_);
     total = 0;
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 3 "tests/emit/shaders/packets.glsl"
   Float f(Bool active, Float x) {
@@ -26,7 +78,7 @@ struct Shader : Invocation {
     return x * 0.5f;
 #line 3 "tests/emit/shaders/packets.glsl"
   }
-#line 30 "twin.cpp"
+#line 82 "twin.cpp"
 
 #line 4 "tests/emit/shaders/packets.glsl"
   float f(Bool active, int x) {
@@ -34,7 +86,7 @@ struct Shader : Invocation {
     return float(x) + 10.0f;
 #line 4 "tests/emit/shaders/packets.glsl"
   }
-#line 38 "twin.cpp"
+#line 90 "twin.cpp"
 
 #line 5 "tests/emit/shaders/packets.glsl"
   Float map(Bool active, Float x) {
@@ -42,7 +94,7 @@ struct Shader : Invocation {
     return 1.0f - 0.05f * x;
 #line 5 "tests/emit/shaders/packets.glsl"
   }
-#line 46 "twin.cpp"
+#line 98 "twin.cpp"
 
 #line 6 "tests/emit/shaders/packets.glsl"
   void two(Bool active, Float& a, Float& b) {
@@ -58,7 +110,7 @@ struct Shader : Invocation {
     set__(active, b, 4.0f);
 #line 6 "tests/emit/shaders/packets.glsl"
   }
-#line 62 "twin.cpp"
+#line 114 "twin.cpp"
 
 #line 7 "tests/emit/shaders/packets.glsl"
   void set(Bool active, vec2& a) {
@@ -68,7 +120,7 @@ struct Shader : Invocation {
     set__(active, a, vec2(7.0f, 8.0f));
 #line 7 "tests/emit/shaders/packets.glsl"
   }
-#line 72 "twin.cpp"
+#line 124 "twin.cpp"
 
 #line 9 "tests/emit/shaders/packets.glsl"
   float touch(Bool active, Int i) {
@@ -84,16 +136,16 @@ struct Shader : Invocation {
     return 1.0f;
 #line 9 "tests/emit/shaders/packets.glsl"
   }
-#line 88 "twin.cpp"
+#line 140 "twin.cpp"
 
 #line 10 "tests/emit/shaders/packets.glsl"
   float gone(Bool active, Float x) {
 #line 10 "tests/emit/shaders/packets.glsl"
-    if (Bool active_2 = active && (x > 14.0f); some__(active_2)) {
+    if (Bool active_2 = active && (x > 14.0f); any__(active_2)) {
 #line 10 "tests/emit/shaders/packets.glsl"
       alive__ = alive__ && !active_2;
 #line 10 "tests/emit/shaders/packets.glsl"
-      leave__(active_2, active);
+      mask_out__(active_2, active);
 #line 10 "tests/emit/shaders/packets.glsl"
     }
 #line 10 "tests/emit/shaders/packets.glsl"
@@ -102,7 +154,7 @@ struct Shader : Invocation {
     return 1.0f;
 #line 10 "tests/emit/shaders/packets.glsl"
   }
-#line 106 "twin.cpp"
+#line 158 "twin.cpp"
 
 #line 12 "tests/emit/shaders/packets.glsl"
   Int grow(Bool active) {
@@ -112,7 +164,7 @@ struct Shader : Invocation {
     return total;
 #line 12 "tests/emit/shaders/packets.glsl"
   }
-#line 116 "twin.cpp"
+#line 168 "twin.cpp"
 
 #line 13 "tests/emit/shaders/packets.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -173,29 +225,29 @@ struct Shader : Invocation {
     e[0] = e[1];
     const Int tmp_5 = k;
 #line 21 "tests/emit/shaders/packets.glsl"
+    const Int tmp_6 = k;
+#line 21 "tests/emit/shaders/packets.glsl"
     vec2 element = at(e, tmp_5);
 #line 21 "tests/emit/shaders/packets.glsl"
-    Float tmp_6 = element.x;
+    Float tmp_7 = element.x;
 #line 21 "tests/emit/shaders/packets.glsl"
-    const Int tmp_7 = k;
-#line 21 "tests/emit/shaders/packets.glsl"
-    vec2 element_2 = at(e, tmp_7);
+    vec2 element_2 = at(e, tmp_6);
 #line 21 "tests/emit/shaders/packets.glsl"
     Float tmp_8 = element_2.y;
 #line 21 "tests/emit/shaders/packets.glsl"
-    two(active, tmp_6, tmp_8);
+    two(active, tmp_7, tmp_8);
 #line 21 "tests/emit/shaders/packets.glsl"
     element = at(e, tmp_5);
 #line 21 "tests/emit/shaders/packets.glsl"
-    set__(active, element.x, tmp_6);
+    set__(active, element.x, tmp_7);
 #line 21 "tests/emit/shaders/packets.glsl"
     put__(active, e, tmp_5, element);
 #line 21 "tests/emit/shaders/packets.glsl"
-    element_2 = at(e, tmp_7);
+    element_2 = at(e, tmp_6);
 #line 21 "tests/emit/shaders/packets.glsl"
     set__(active, element_2.y, tmp_8);
 #line 21 "tests/emit/shaders/packets.glsl"
-    put__(active, e, tmp_7, element_2);
+    put__(active, e, tmp_6, element_2);
     set__(active, shared_[1], vec2(0.0f));
 #line 22 "tests/emit/shaders/packets.glsl"
     set__(active, shared_[0], shared_[1]);
@@ -303,7 +355,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(n + float(m) * 16.0f + ((b) ? 100.0f : 0.0f) + f(active, p.x) + f(active, Float(0.5f)) + f(active, 1) * 1000.0f, at(e, k).x + 10.0f * at(e, k).y + a[0].x + a[0].y * 3.0f + a[1].x * 100.0f + float(j) * 1000.0f, shared_[0].x + shared_[0].y * 2.0f + shared_[1].x * 4.0f + shared_[1].y * 8.0f + make<Float>(total) * 100.0f, grid[0] + grid[1] * 3.0f + float(h) * 100.0f + at(c, k).x * 7.0f + float(s) * 1000.0f + r * 0.5f + sum));
 #line 44 "tests/emit/shaders/packets.glsl"
   }
-#line 307 "twin.cpp"
+#line 359 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

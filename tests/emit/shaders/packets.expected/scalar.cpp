@@ -1,4 +1,56 @@
 #include "reference/twin/invocation.h"
+#undef a
+#undef b
+#undef c
+#undef color
+#undef d
+#undef e
+#undef f
+#undef gone
+#undef grid
+#undef grow
+#undef h
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef j
+#undef k
+#undef m
+#undef main
+#undef mainImage
+#undef map
+#undef n
+#undef p
+#undef r
+#undef s
+#undef set
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef shared_
+#undef sum
+#undef total
+#undef touch
+#undef two
+#undef x
 
 namespace shadertwin::glsl {
 namespace {
@@ -8,17 +60,17 @@ struct Shader : Invocation {
   array<vec2, 2> shared_{};
   int total{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
     unwritten(shared_);
     total = 0;
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = true;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = true;
 
 #line 3 "tests/emit/shaders/packets.glsl"
   Float f(Float x) {
@@ -26,7 +78,7 @@ struct Shader : Invocation {
     return x * 0.5f;
 #line 3 "tests/emit/shaders/packets.glsl"
   }
-#line 30 "twin.cpp"
+#line 82 "twin.cpp"
 
 #line 4 "tests/emit/shaders/packets.glsl"
   Float f(int x) {
@@ -34,7 +86,7 @@ struct Shader : Invocation {
     return Float(x) + 10.0f;
 #line 4 "tests/emit/shaders/packets.glsl"
   }
-#line 38 "twin.cpp"
+#line 90 "twin.cpp"
 
 #line 5 "tests/emit/shaders/packets.glsl"
   Float map(Float x) {
@@ -42,7 +94,7 @@ struct Shader : Invocation {
     return 1.0f - 0.05f * x;
 #line 5 "tests/emit/shaders/packets.glsl"
   }
-#line 46 "twin.cpp"
+#line 98 "twin.cpp"
 
 #line 6 "tests/emit/shaders/packets.glsl"
   void two(Float& a, Float& b) {
@@ -58,7 +110,7 @@ struct Shader : Invocation {
     b = 4.0f;
 #line 6 "tests/emit/shaders/packets.glsl"
   }
-#line 62 "twin.cpp"
+#line 114 "twin.cpp"
 
 #line 7 "tests/emit/shaders/packets.glsl"
   void set(vec2& a) {
@@ -68,7 +120,7 @@ struct Shader : Invocation {
     a = vec2(7.0f, 8.0f);
 #line 7 "tests/emit/shaders/packets.glsl"
   }
-#line 72 "twin.cpp"
+#line 124 "twin.cpp"
 
 #line 9 "tests/emit/shaders/packets.glsl"
   Float touch(int i) {
@@ -78,21 +130,21 @@ struct Shader : Invocation {
     return 1.0f;
 #line 9 "tests/emit/shaders/packets.glsl"
   }
-#line 82 "twin.cpp"
+#line 134 "twin.cpp"
 
 #line 10 "tests/emit/shaders/packets.glsl"
   Float gone(Float x) {
 #line 10 "tests/emit/shaders/packets.glsl"
     if (x > 14.0f) {
 #line 10 "tests/emit/shaders/packets.glsl"
-      stop_invocation();
+      stop_invocation__();
 #line 10 "tests/emit/shaders/packets.glsl"
     }
 #line 10 "tests/emit/shaders/packets.glsl"
     return 1.0f;
 #line 10 "tests/emit/shaders/packets.glsl"
   }
-#line 96 "twin.cpp"
+#line 148 "twin.cpp"
 
 #line 12 "tests/emit/shaders/packets.glsl"
   int grow() {
@@ -102,7 +154,7 @@ struct Shader : Invocation {
     return total;
 #line 12 "tests/emit/shaders/packets.glsl"
   }
-#line 106 "twin.cpp"
+#line 158 "twin.cpp"
 
 #line 13 "tests/emit/shaders/packets.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -140,31 +192,37 @@ struct Shader : Invocation {
 #line 26 "tests/emit/shaders/packets.glsl"
     a[0] = a[1] = a[2] = vec2(0.0f);
     int j = 0;
-    vec2& place = a[j++];
+    const int tmp_3 = j++;
 #line 28 "tests/emit/shaders/packets.glsl"
-    vec2 tmp_3;
+    vec2 tmp_4;
 #line 28 "tests/emit/shaders/packets.glsl"
-    set(tmp_3);
+    set(tmp_4);
 #line 28 "tests/emit/shaders/packets.glsl"
-    swizzle<0, 1>(place) = tmp_3;
-    a[j++].x++;
+    swizzle<0, 1>(a[tmp_3]) = tmp_4;
+    const int tmp_5 = j++;
+#line 29 "tests/emit/shaders/packets.glsl"
+    a[tmp_5].x++;
 #line 31 "tests/emit/shaders/packets.glsl"
     array<Float, 3> grid;
 #line 31 "tests/emit/shaders/packets.glsl"
     grid[0] = grid[1] = grid[2] = p.x;
     int h = 0;
-    grid[h++]++;
-    Float& place_2 = grid[h++];
+    const int tmp_6 = h++;
+#line 33 "tests/emit/shaders/packets.glsl"
+    grid[tmp_6]++;
+    const int tmp_7 = h++;
 #line 34 "tests/emit/shaders/packets.glsl"
-    place_2 += 2.0f;
+    grid[tmp_7] += 2.0f;
 #line 36 "tests/emit/shaders/packets.glsl"
     array<vec2, 2> c;
 #line 36 "tests/emit/shaders/packets.glsl"
     c[0] = c[1] = p;
     int s = 0;
-    Float& place_3 = at(c[k], s++);
+    const int tmp_8 = k;
 #line 38 "tests/emit/shaders/packets.glsl"
-    place_3 += 1.0f;
+    const int tmp_9 = s++;
+#line 38 "tests/emit/shaders/packets.glsl"
+    at(c[tmp_8], tmp_9) += 1.0f;
     int i = 0;
     Float r = Float(i++) < p.x - 4.0f ? Float(i) : 9.0f;
     total += grow();
@@ -177,7 +235,7 @@ struct Shader : Invocation {
     color = vec4(n + Float(m) * 16.0f + (b ? 100.0f : 0.0f) + f(p.x) + f(0.5f) + f(1) * 1000.0f, e[k].x + 10.0f * e[k].y + a[0].x + a[0].y * 3.0f + a[1].x * 100.0f + Float(j) * 1000.0f, shared_[0].x + shared_[0].y * 2.0f + shared_[1].x * 4.0f + shared_[1].y * 8.0f + Float(total) * 100.0f, grid[0] + grid[1] * 3.0f + Float(h) * 100.0f + c[k].x * 7.0f + Float(s) * 1000.0f + r * 0.5f + sum);
 #line 44 "tests/emit/shaders/packets.glsl"
   }
-#line 181 "twin.cpp"
+#line 239 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,6 +1,37 @@
 #include "reference/twin/invocation.h"
-#undef TAU
+#undef O
+#undef R
 #undef THIRD
+#undef U
+#undef acc
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef main
+#undef mainImage
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef time_scale
+#undef uv
 
 namespace shadertwin::glsl {
 namespace {
@@ -13,18 +44,18 @@ struct Shader : Invocation {
   Float iTime{};
   Float time_scale{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
     time_scale = 2.0f;
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iResolution", iResolution);
     bind("iTime", iTime);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 26 "tests/emit/shaders/preprocessor.glsl"
   void mainImage(vec4& O, vec2 U) {
@@ -42,7 +73,7 @@ struct Shader : Invocation {
     O = vec4(acc + 0.5f, uv, THIRD * time_scale + (iTime + 0.25f));
 #line 30 "tests/emit/shaders/preprocessor.glsl"
   }
-#line 46 "twin.cpp"
+#line 77 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,49 @@
 #include "reference/twin/packet_invocation.h"
+#undef a
+#undef b
+#undef both
+#undef color
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef k
+#undef list
+#undef m
+#undef main
+#undef mainImage
+#undef more
+#undef n
+#undef next
+#undef p
+#undef s
+#undef sample_
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef sum
+#undef t
+#undef take
+#undef u
+#undef v
+#undef w
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -7,16 +52,16 @@ struct Shader : Invocation {
   vec4 shadertoy_out_color{};
   Int k{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
     k = 0;
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 3 "tests/emit/shaders/side_effects.glsl"
   Int next(Bool active) {
@@ -28,7 +73,7 @@ struct Shader : Invocation {
     return tmp;
 #line 3 "tests/emit/shaders/side_effects.glsl"
   }
-#line 32 "twin.cpp"
+#line 77 "twin.cpp"
 
 #line 4 "tests/emit/shaders/side_effects.glsl"
   Float take(Bool active, array<Float, 4>& list, Int i) {
@@ -44,7 +89,7 @@ struct Shader : Invocation {
     return at(list, i);
 #line 4 "tests/emit/shaders/side_effects.glsl"
   }
-#line 48 "twin.cpp"
+#line 93 "twin.cpp"
 
 #line 5 "tests/emit/shaders/side_effects.glsl"
   Float both(Bool active, Float& a, Float& b) {
@@ -58,7 +103,7 @@ struct Shader : Invocation {
     return a - b;
 #line 5 "tests/emit/shaders/side_effects.glsl"
   }
-#line 62 "twin.cpp"
+#line 107 "twin.cpp"
 
 #line 6 "tests/emit/shaders/side_effects.glsl"
   vec3 sample_(Bool active, Uint& s) {
@@ -68,7 +113,7 @@ struct Shader : Invocation {
     return vec3(make<Float>(s >> 8), make<Float>(s >> 16), make<Float>(s >> 24)) / 256.0f;
 #line 6 "tests/emit/shaders/side_effects.glsl"
   }
-#line 72 "twin.cpp"
+#line 117 "twin.cpp"
 
 #line 7 "tests/emit/shaders/side_effects.glsl"
   Bool more(Bool active, Int& n) {
@@ -78,7 +123,7 @@ struct Shader : Invocation {
     return n > 0;
 #line 7 "tests/emit/shaders/side_effects.glsl"
   }
-#line 82 "twin.cpp"
+#line 127 "twin.cpp"
 
 #line 8 "tests/emit/shaders/side_effects.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -167,7 +212,7 @@ struct Shader : Invocation {
 #line 20 "tests/emit/shaders/side_effects.glsl"
         Bool tmp_14 = tmp_13;
 #line 20 "tests/emit/shaders/side_effects.glsl"
-        if (Bool active_2 = loop && !tmp_13; some__(active_2)) {
+        if (Bool active_2 = loop && !tmp_13; any__(active_2)) {
 #line 20 "tests/emit/shaders/side_effects.glsl"
           set__(active_2, tmp_14, next(active_2) < 8);
 #line 20 "tests/emit/shaders/side_effects.glsl"
@@ -175,7 +220,7 @@ struct Shader : Invocation {
 #line 20 "tests/emit/shaders/side_effects.glsl"
         loop = loop && (tmp_14);
 #line 20 "tests/emit/shaders/side_effects.glsl"
-      } while (some__(loop));
+      } while (any__(loop));
 #line 20 "tests/emit/shaders/side_effects.glsl"
     }
     {
@@ -190,11 +235,11 @@ struct Shader : Invocation {
 #line 21 "tests/emit/shaders/side_effects.glsl"
         if (none__(loop)) break;
 #line 21 "tests/emit/shaders/side_effects.glsl"
-        Bool active_3 = loop;
+        Bool active_2 = loop;
 #line 21 "tests/emit/shaders/side_effects.glsl"
-        if (Bool active_4 = active_3 && (sum > 100.0f); some__(active_4)) {
+        if (Bool active_3 = active_2 && (sum > 100.0f); any__(active_3)) {
 #line 21 "tests/emit/shaders/side_effects.glsl"
-          leave__(active_4, active_3, loop);
+          mask_out__(active_3, active_2, loop);
 #line 21 "tests/emit/shaders/side_effects.glsl"
         }
 #line 21 "tests/emit/shaders/side_effects.glsl"
@@ -213,7 +258,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(t + list[0] * 0.5f, u + v.x, v.y + w.x + m[0].y, sum + w.y * 0.125f + make<Float>(k) + m[1].x));
 #line 23 "tests/emit/shaders/side_effects.glsl"
   }
-#line 217 "twin.cpp"
+#line 262 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

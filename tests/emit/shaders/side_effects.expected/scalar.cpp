@@ -1,4 +1,49 @@
 #include "reference/twin/invocation.h"
+#undef a
+#undef b
+#undef both
+#undef color
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef k
+#undef list
+#undef m
+#undef main
+#undef mainImage
+#undef more
+#undef n
+#undef next
+#undef p
+#undef s
+#undef sample_
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef sum
+#undef t
+#undef take
+#undef u
+#undef v
+#undef w
 
 namespace shadertwin::glsl {
 namespace {
@@ -7,16 +52,16 @@ struct Shader : Invocation {
   vec4 shadertoy_out_color{};
   int k{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
     k = 0;
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 3 "tests/emit/shaders/side_effects.glsl"
   int next() {
@@ -24,7 +69,7 @@ struct Shader : Invocation {
     return k++;
 #line 3 "tests/emit/shaders/side_effects.glsl"
   }
-#line 28 "twin.cpp"
+#line 73 "twin.cpp"
 
 #line 4 "tests/emit/shaders/side_effects.glsl"
   Float take(array<Float, 4>& list, int i) {
@@ -34,7 +79,7 @@ struct Shader : Invocation {
     return list[i];
 #line 4 "tests/emit/shaders/side_effects.glsl"
   }
-#line 38 "twin.cpp"
+#line 83 "twin.cpp"
 
 #line 5 "tests/emit/shaders/side_effects.glsl"
   Float both(Float& a, Float& b) {
@@ -48,7 +93,7 @@ struct Shader : Invocation {
     return a - b;
 #line 5 "tests/emit/shaders/side_effects.glsl"
   }
-#line 52 "twin.cpp"
+#line 97 "twin.cpp"
 
 #line 6 "tests/emit/shaders/side_effects.glsl"
   vec3 sample_(uint& s) {
@@ -58,7 +103,7 @@ struct Shader : Invocation {
     return vec3(Float(s >> 8), Float(s >> 16), Float(s >> 24)) / 256.0f;
 #line 6 "tests/emit/shaders/side_effects.glsl"
   }
-#line 62 "twin.cpp"
+#line 107 "twin.cpp"
 
 #line 7 "tests/emit/shaders/side_effects.glsl"
   bool more(int& n) {
@@ -66,47 +111,47 @@ struct Shader : Invocation {
     return --n > 0;
 #line 7 "tests/emit/shaders/side_effects.glsl"
   }
-#line 70 "twin.cpp"
+#line 115 "twin.cpp"
 
 #line 8 "tests/emit/shaders/side_effects.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 8 "tests/emit/shaders/side_effects.glsl"
     color = vec4(0.0f);
     array<Float, 4> list = array<Float, 4>{{p.x, 1.0f, 2.0f, 3.0f}};
-    Float& place = list[next()];
+    const int tmp = next();
 #line 10 "tests/emit/shaders/side_effects.glsl"
-    place += 5.0f;
-    Float& place_2 = list[next()];
+    list[tmp] += 5.0f;
+    const int tmp_2 = next();
 #line 11 "tests/emit/shaders/side_effects.glsl"
-    place_2 = list[next()] * 2.0f;
-    const Float tmp = take(list, 3);
+    list[tmp_2] = list[next()] * 2.0f;
+    const Float tmp_3 = take(list, 3);
 #line 12 "tests/emit/shaders/side_effects.glsl"
-    const Float tmp_2 = tmp * take(list, 3);
+    const Float tmp_4 = tmp_3 * take(list, 3);
 #line 12 "tests/emit/shaders/side_effects.glsl"
-    Float t = tmp_2 + take(list, k & 3);
-    Float tmp_3 = list[0];
+    Float t = tmp_4 + take(list, k & 3);
+    Float tmp_5 = list[0];
 #line 13 "tests/emit/shaders/side_effects.glsl"
-    Float tmp_4 = list[1];
+    Float tmp_6 = list[1];
 #line 13 "tests/emit/shaders/side_effects.glsl"
-    const Float tmp_5 = both(tmp_3, tmp_4);
+    const Float tmp_7 = both(tmp_5, tmp_6);
 #line 13 "tests/emit/shaders/side_effects.glsl"
-    list[0] = tmp_3;
+    list[0] = tmp_5;
 #line 13 "tests/emit/shaders/side_effects.glsl"
-    list[1] = tmp_4;
+    list[1] = tmp_6;
 #line 13 "tests/emit/shaders/side_effects.glsl"
-    Float u = tmp_5;
+    Float u = tmp_7;
     uint s = make<uint>(p.x) * 17u + make<uint>(p.y);
-    const vec3 tmp_6 = sample_(s);
-#line 15 "tests/emit/shaders/side_effects.glsl"
-    const vec3 tmp_7 = tmp_6 + sample_(s) * 2.0f;
-#line 15 "tests/emit/shaders/side_effects.glsl"
     const vec3 tmp_8 = sample_(s);
 #line 15 "tests/emit/shaders/side_effects.glsl"
-    vec3 v = tmp_7 - cross(tmp_8, sample_(s));
+    const vec3 tmp_9 = tmp_8 + sample_(s) * 2.0f;
+#line 15 "tests/emit/shaders/side_effects.glsl"
+    const vec3 tmp_10 = sample_(s);
+#line 15 "tests/emit/shaders/side_effects.glsl"
+    vec3 v = tmp_9 - cross(tmp_10, sample_(s));
     vec2 w = p;
-    Float& place_3 = at(w, next() & 1);
+    const int tmp_11 = next() & 1;
 #line 17 "tests/emit/shaders/side_effects.glsl"
-    place_3 *= 3.0f;
+    at(w, tmp_11) *= 3.0f;
     int n = 5;
 #line 18 "tests/emit/shaders/side_effects.glsl"
     Float sum = 0.0f;
@@ -131,13 +176,13 @@ struct Shader : Invocation {
     }
     mat2 m = mat2(1.0f, 0.0f, 0.0f, 1.0f);
 #line 22 "tests/emit/shaders/side_effects.glsl"
-    vec2& place_4 = at(m, next() & 1);
+    const int tmp_12 = next() & 1;
 #line 22 "tests/emit/shaders/side_effects.glsl"
-    place_4 += vec2(sum, Float(k));
+    at(m, tmp_12) += vec2(sum, Float(k));
     color = vec4(t + list[0] * 0.5f, u + v.x, v.y + w.x + m[0].y, sum + w.y * 0.125f + Float(k) + m[1].x);
 #line 23 "tests/emit/shaders/side_effects.glsl"
   }
-#line 141 "twin.cpp"
+#line 186 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

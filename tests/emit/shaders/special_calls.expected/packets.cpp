@@ -1,4 +1,34 @@
 #include "reference/twin/packet_invocation.h"
+#undef color
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef main
+#undef mainImage
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef uv
+#undef x
+#undef y
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -7,16 +37,16 @@ struct Shader : Invocation {
   vec4 shadertoy_out_color{};
   uniform::vec3 iResolution{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iResolution", iResolution);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/special_calls.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -27,21 +57,21 @@ struct Shader : Invocation {
 #line 4 "tests/emit/shaders/special_calls.glsl"
     Float y = p.y / iResolution.y;
     set__(active, color, vec4(mix_strict(x, y, Float(0.3f)), mix_strict(x, Float(1.0f), y), mix_strict(vec2(x, y), uv, Float(0.7f)).y, mix(uv, vec2(y, x), x).x));
-    if (Bool active_2 = active && (p.y > 3.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.y > 3.0f); any__(active_2)) {
 #line 6 "tests/emit/shaders/special_calls.glsl"
       const Float tmp = y + x;
 #line 6 "tests/emit/shaders/special_calls.glsl"
       set__(active_2, color, vec4(y * y, (tmp * tmp) * (tmp * tmp), exp2(x), (uv * uv).y));
 #line 6 "tests/emit/shaders/special_calls.glsl"
     }
-    if (Bool active_2 = active && (p.y > 6.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.y > 6.0f); any__(active_2)) {
 #line 7 "tests/emit/shaders/special_calls.glsl"
       set__(active_2, color, vec4(min(-x * 0.0f, Float(0.0f)), max(uv, vec2(0.5f)).x, y, pow(abs(x), Float(1.3f))));
 #line 7 "tests/emit/shaders/special_calls.glsl"
     }
 #line 7 "tests/emit/shaders/special_calls.glsl"
   }
-#line 45 "twin.cpp"
+#line 75 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

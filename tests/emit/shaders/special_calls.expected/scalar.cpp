@@ -1,4 +1,34 @@
 #include "reference/twin/invocation.h"
+#undef color
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef main
+#undef mainImage
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef uv
+#undef x
+#undef y
 
 namespace shadertwin::glsl {
 namespace {
@@ -7,16 +37,16 @@ struct Shader : Invocation {
   vec4 shadertoy_out_color{};
   vec3 iResolution{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iResolution", iResolution);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/special_calls.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -41,7 +71,7 @@ struct Shader : Invocation {
     }
 #line 7 "tests/emit/shaders/special_calls.glsl"
   }
-#line 45 "twin.cpp"
+#line 75 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

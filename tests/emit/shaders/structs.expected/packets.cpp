@@ -1,4 +1,55 @@
 #include "reference/twin/packet_invocation.h"
+#undef Inner
+#undef Outer
+#undef Padded
+#undef a
+#undef b
+#undef c
+#undef change
+#undef color
+#undef copy
+#undef different
+#undef empty
+#undef flag
+#undef from
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef inner
+#undef list
+#undef m
+#undef main
+#undef mainImage
+#undef make_outer
+#undef n
+#undef o
+#undef p
+#undef padded
+#undef same
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef swapped
+#undef t
+#undef x
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -33,17 +84,17 @@ struct Shader : Invocation {
   uniform::vec3 iResolution{};
   Padded padded{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
     padded = Padded{31u, make<mat4>(10.0f, -1.5f, 7.5f, 1.0f, -1.5f, 0.5f, 10.0f, 7.5f, 1.0f, 1.0f, 1.0f, 2.0f, -1.5f, 2.0f, -1.5f, 1.0f), array<Float, 4>{{2.0f, 1.0f, 3.0f, 2.0f}}, bvec4(true)};
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iResolution", iResolution);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 4 "tests/emit/shaders/structs.glsl"
   Outer make_outer(Bool active, Float x) {
@@ -51,7 +102,7 @@ struct Shader : Invocation {
     return Outer{Inner{vec2(x, 2.0f * x), array<Float, 2>{{x * 5.0f, x * 3.0f}}}, make<mat2>(x, 0.0f, 0.0f, x), make<Int>(x * 10.0f), x > 0.5f};
 #line 4 "tests/emit/shaders/structs.glsl"
   }
-#line 55 "twin.cpp"
+#line 106 "twin.cpp"
 
 #line 5 "tests/emit/shaders/structs.glsl"
   void change(Bool active, Outer& o, Inner from) {
@@ -63,7 +114,7 @@ struct Shader : Invocation {
     set__(active, o.n, o.n + 1);
 #line 5 "tests/emit/shaders/structs.glsl"
   }
-#line 67 "twin.cpp"
+#line 118 "twin.cpp"
 
 #line 6 "tests/emit/shaders/structs.glsl"
   Inner swapped(Bool active, Inner i) {
@@ -79,7 +130,7 @@ struct Shader : Invocation {
     return i;
 #line 6 "tests/emit/shaders/structs.glsl"
   }
-#line 83 "twin.cpp"
+#line 134 "twin.cpp"
 
 #line 9 "tests/emit/shaders/structs.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -103,14 +154,14 @@ struct Shader : Invocation {
     Inner empty = Inner{vec2(0.0f), array<Float, 2>{{0.0f, 0.0f}}};
     set__(active, color, vec4(copy.inner.a.x + list[2].inner.a.x, copy.inner.b[1], make<Float>(copy.n) + select__(same, Float(0.25f), Float(0.0f)), select__(different, Float(1.0f), Float(0.0f)) + select__(same__(empty, o.inner), Float(2.0f), Float(0.0f)) + list[1].m[1].y));
 #line 20 "tests/emit/shaders/structs.glsl"
-    if (Bool active_2 = active && (p.y > 6.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.y > 6.0f); any__(active_2)) {
 #line 20 "tests/emit/shaders/structs.glsl"
       set__(active_2, color.x, padded.m[1].x);
 #line 20 "tests/emit/shaders/structs.glsl"
     }
 #line 20 "tests/emit/shaders/structs.glsl"
   }
-#line 114 "twin.cpp"
+#line 165 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,55 @@
 #include "reference/twin/invocation.h"
+#undef Inner
+#undef Outer
+#undef Padded
+#undef a
+#undef b
+#undef c
+#undef change
+#undef color
+#undef copy
+#undef different
+#undef empty
+#undef flag
+#undef from
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef inner
+#undef list
+#undef m
+#undef main
+#undef mainImage
+#undef make_outer
+#undef n
+#undef o
+#undef p
+#undef padded
+#undef same
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef swapped
+#undef t
+#undef x
 
 namespace shadertwin::glsl {
 namespace {
@@ -30,17 +81,17 @@ struct Shader : Invocation {
   vec3 iResolution{};
   Padded padded{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
     padded = Padded{31u, mat4(10.0f, -1.5f, 7.5f, 1.0f, -1.5f, 0.5f, 10.0f, 7.5f, 1.0f, 1.0f, 1.0f, 2.0f, -1.5f, 2.0f, -1.5f, 1.0f), array<Float, 4>{{2.0f, 1.0f, 3.0f, 2.0f}}, bvec4(true)};
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iResolution", iResolution);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 4 "tests/emit/shaders/structs.glsl"
   Outer make_outer(Float x) {
@@ -48,7 +99,7 @@ struct Shader : Invocation {
     return Outer{Inner{vec2(x, 2.0f * x), array<Float, 2>{{x * 5.0f, x * 3.0f}}}, mat2(x, 0.0f, 0.0f, x), make<int>(x * 10.0f), x > 0.5f};
 #line 4 "tests/emit/shaders/structs.glsl"
   }
-#line 52 "twin.cpp"
+#line 103 "twin.cpp"
 
 #line 5 "tests/emit/shaders/structs.glsl"
   void change(Outer& o, Inner from) {
@@ -60,7 +111,7 @@ struct Shader : Invocation {
     o.n++;
 #line 5 "tests/emit/shaders/structs.glsl"
   }
-#line 64 "twin.cpp"
+#line 115 "twin.cpp"
 
 #line 6 "tests/emit/shaders/structs.glsl"
   Inner swapped(Inner i) {
@@ -76,7 +127,7 @@ struct Shader : Invocation {
     return i;
 #line 6 "tests/emit/shaders/structs.glsl"
   }
-#line 80 "twin.cpp"
+#line 131 "twin.cpp"
 
 #line 9 "tests/emit/shaders/structs.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -107,7 +158,7 @@ struct Shader : Invocation {
     }
 #line 20 "tests/emit/shaders/structs.glsl"
   }
-#line 111 "twin.cpp"
+#line 162 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,42 @@
 #include "reference/twin/packet_invocation.h"
+#undef choose
+#undef color
+#undef early
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef k
+#undef main
+#undef mainImage
+#undef nothing
+#undef p
+#undef pick
+#undef r
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef t
+#undef u
+#undef x
+#undef z
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -6,15 +44,15 @@ namespace {
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/switches.glsl"
   Float choose(Bool active, Int k) {
@@ -29,30 +67,30 @@ struct Shader : Invocation {
 #line 4 "tests/emit/shaders/switches.glsl"
       active_2 = active_2 || (active && (selector == 0));
 #line 4 "tests/emit/shaders/switches.glsl"
-      if (some__(active_2)) {
+      if (any__(active_2)) {
         set__(active_2, result, 1.0f);
 #line 5 "tests/emit/shaders/switches.glsl"
-        leave__(active_2, active);
+        mask_out__(active_2, active);
 #line 5 "tests/emit/shaders/switches.glsl"
       }
 #line 5 "tests/emit/shaders/switches.glsl"
       active_2 = active_2 || (active && (selector == 1));
 #line 5 "tests/emit/shaders/switches.glsl"
-      if (some__(active_2)) {
+      if (any__(active_2)) {
         set__(active_2, r, r + 2.0f);
 #line 6 "tests/emit/shaders/switches.glsl"
       }
 #line 6 "tests/emit/shaders/switches.glsl"
       active_2 = active_2 || (active && (selector == 2));
 #line 6 "tests/emit/shaders/switches.glsl"
-      if (some__(active_2)) {
+      if (any__(active_2)) {
         {
 #line 7 "tests/emit/shaders/switches.glsl"
           float t = 3.0f;
 #line 7 "tests/emit/shaders/switches.glsl"
           set__(active_2, r, r + t);
 #line 7 "tests/emit/shaders/switches.glsl"
-          leave__(active_2);
+          mask_out__(active_2);
 #line 7 "tests/emit/shaders/switches.glsl"
         }
 #line 7 "tests/emit/shaders/switches.glsl"
@@ -60,16 +98,16 @@ struct Shader : Invocation {
 #line 7 "tests/emit/shaders/switches.glsl"
       active_2 = active_2 || (active && (!(selector == 0 || selector == 1 || selector == 2 || selector == 4 || selector == 5)));
 #line 7 "tests/emit/shaders/switches.glsl"
-      if (some__(active_2)) {
+      if (any__(active_2)) {
         set__(active_2, r, -1.0f);
 #line 8 "tests/emit/shaders/switches.glsl"
-        leave__(active_2);
+        mask_out__(active_2);
 #line 8 "tests/emit/shaders/switches.glsl"
       }
 #line 8 "tests/emit/shaders/switches.glsl"
       active_2 = active_2 || (active && (selector == 4));
 #line 8 "tests/emit/shaders/switches.glsl"
-      if (some__(active_2)) {
+      if (any__(active_2)) {
         for (int i = 0; i < 9; i++) {
 #line 9 "tests/emit/shaders/switches.glsl"
           if (i == 3) {
@@ -88,7 +126,7 @@ struct Shader : Invocation {
 #line 9 "tests/emit/shaders/switches.glsl"
       active_2 = active_2 || (active && (selector == 5));
 #line 9 "tests/emit/shaders/switches.glsl"
-      if (some__(active_2)) {
+      if (any__(active_2)) {
         {
 #line 10 "tests/emit/shaders/switches.glsl"
           set__(active_2, r, r * 2.0f);
@@ -111,19 +149,19 @@ struct Shader : Invocation {
 #line 12 "tests/emit/shaders/switches.glsl"
       active_2 = active_2 || (active && (selector == 0));
 #line 12 "tests/emit/shaders/switches.glsl"
-      if (some__(active_2)) {
+      if (any__(active_2)) {
 #line 12 "tests/emit/shaders/switches.glsl"
         set__(active_2, z, 5.0f);
 #line 12 "tests/emit/shaders/switches.glsl"
         set__(active_2, r, r + z);
 #line 12 "tests/emit/shaders/switches.glsl"
-        leave__(active_2);
+        mask_out__(active_2);
 #line 12 "tests/emit/shaders/switches.glsl"
       }
 #line 12 "tests/emit/shaders/switches.glsl"
       active_2 = active_2 || (active && (selector == 1));
 #line 12 "tests/emit/shaders/switches.glsl"
-      if (some__(active_2)) {
+      if (any__(active_2)) {
 #line 12 "tests/emit/shaders/switches.glsl"
         set__(active_2, z, 7.0f);
 #line 12 "tests/emit/shaders/switches.glsl"
@@ -139,7 +177,7 @@ struct Shader : Invocation {
     return result;
 #line 13 "tests/emit/shaders/switches.glsl"
   }
-#line 143 "twin.cpp"
+#line 181 "twin.cpp"
 
 #line 15 "tests/emit/shaders/switches.glsl"
   Float early(Bool active, Float x) {
@@ -148,29 +186,29 @@ struct Shader : Invocation {
 #line 15 "tests/emit/shaders/switches.glsl"
     const Bool condition = x < 2.0f;
 #line 15 "tests/emit/shaders/switches.glsl"
-    if (Bool active_2 = active && condition; some__(active_2)) {
+    if (Bool active_2 = active && condition; any__(active_2)) {
 #line 15 "tests/emit/shaders/switches.glsl"
       set__(active_2, result, x);
 #line 15 "tests/emit/shaders/switches.glsl"
-      leave__(active_2, active);
+      mask_out__(active_2, active);
 #line 15 "tests/emit/shaders/switches.glsl"
     }
 #line 15 "tests/emit/shaders/switches.glsl"
-    if (Bool active_2 = active && !condition; some__(active_2)) {
+    if (Bool active_2 = active && !condition; any__(active_2)) {
 #line 15 "tests/emit/shaders/switches.glsl"
       const Bool condition_2 = x < 4.0f;
 #line 15 "tests/emit/shaders/switches.glsl"
-      if (Bool active_3 = active_2 && condition_2; some__(active_3)) {
+      if (Bool active_3 = active_2 && condition_2; any__(active_3)) {
 #line 15 "tests/emit/shaders/switches.glsl"
         set__(active_3, x, x * 2.0f);
 #line 15 "tests/emit/shaders/switches.glsl"
       }
 #line 15 "tests/emit/shaders/switches.glsl"
-      if (Bool active_3 = active_2 && !condition_2; some__(active_3)) {
+      if (Bool active_3 = active_2 && !condition_2; any__(active_3)) {
 #line 15 "tests/emit/shaders/switches.glsl"
         set__(active_3, result, -x);
 #line 15 "tests/emit/shaders/switches.glsl"
-        leave__(active_3, active_2, active);
+        mask_out__(active_3, active_2, active);
 #line 15 "tests/emit/shaders/switches.glsl"
       }
 #line 15 "tests/emit/shaders/switches.glsl"
@@ -192,11 +230,11 @@ struct Shader : Invocation {
 #line 15 "tests/emit/shaders/switches.glsl"
         Bool active_2 = loop;
 #line 15 "tests/emit/shaders/switches.glsl"
-        if (Bool active_3 = active_2 && (x > 5.0f); some__(active_3)) {
+        if (Bool active_3 = active_2 && (x > 5.0f); any__(active_3)) {
 #line 15 "tests/emit/shaders/switches.glsl"
           set__(active_3, result, 9.0f);
 #line 15 "tests/emit/shaders/switches.glsl"
-          leave__(active_3, active_2, loop, active);
+          mask_out__(active_3, active_2, loop, active);
 #line 15 "tests/emit/shaders/switches.glsl"
         }
 #line 15 "tests/emit/shaders/switches.glsl"
@@ -211,7 +249,7 @@ struct Shader : Invocation {
     return result;
 #line 15 "tests/emit/shaders/switches.glsl"
   }
-#line 215 "twin.cpp"
+#line 253 "twin.cpp"
 
 #line 16 "tests/emit/shaders/switches.glsl"
   void nothing(Bool active, Int k) {
@@ -224,11 +262,11 @@ struct Shader : Invocation {
 #line 16 "tests/emit/shaders/switches.glsl"
       active_2 = active_2 || (active && (selector == 1));
 #line 16 "tests/emit/shaders/switches.glsl"
-      if (some__(active_2)) {
+      if (any__(active_2)) {
 #line 16 "tests/emit/shaders/switches.glsl"
         {
 #line 16 "tests/emit/shaders/switches.glsl"
-          leave__(active_2, active);
+          mask_out__(active_2, active);
 #line 16 "tests/emit/shaders/switches.glsl"
         }
 #line 16 "tests/emit/shaders/switches.glsl"
@@ -236,9 +274,9 @@ struct Shader : Invocation {
 #line 16 "tests/emit/shaders/switches.glsl"
       active_2 = active_2 || (active && (selector == 2 || !(selector == 1 || selector == 2)));
 #line 16 "tests/emit/shaders/switches.glsl"
-      if (some__(active_2)) {
+      if (any__(active_2)) {
 #line 16 "tests/emit/shaders/switches.glsl"
-        leave__(active_2);
+        mask_out__(active_2);
 #line 16 "tests/emit/shaders/switches.glsl"
       }
 #line 16 "tests/emit/shaders/switches.glsl"
@@ -247,7 +285,7 @@ struct Shader : Invocation {
     if (none__(active)) return;
 #line 16 "tests/emit/shaders/switches.glsl"
   }
-#line 251 "twin.cpp"
+#line 289 "twin.cpp"
 
 #line 17 "tests/emit/shaders/switches.glsl"
   Int pick(Bool active, Uint u) {
@@ -264,21 +302,21 @@ struct Shader : Invocation {
 #line 17 "tests/emit/shaders/switches.glsl"
       active_2 = active_2 || (active && (selector == 3u));
 #line 17 "tests/emit/shaders/switches.glsl"
-      if (some__(active_2)) {
+      if (any__(active_2)) {
 #line 17 "tests/emit/shaders/switches.glsl"
         set__(active_2, result, 30);
 #line 17 "tests/emit/shaders/switches.glsl"
-        leave__(active_2, active);
+        mask_out__(active_2, active);
 #line 17 "tests/emit/shaders/switches.glsl"
       }
 #line 17 "tests/emit/shaders/switches.glsl"
       active_2 = active_2 || (active && (!(selector == 3u)));
 #line 17 "tests/emit/shaders/switches.glsl"
-      if (some__(active_2)) {
+      if (any__(active_2)) {
 #line 17 "tests/emit/shaders/switches.glsl"
         set__(active_2, result, 40);
 #line 17 "tests/emit/shaders/switches.glsl"
-        leave__(active_2, active);
+        mask_out__(active_2, active);
 #line 17 "tests/emit/shaders/switches.glsl"
       }
 #line 17 "tests/emit/shaders/switches.glsl"
@@ -289,7 +327,7 @@ struct Shader : Invocation {
     return result;
 #line 17 "tests/emit/shaders/switches.glsl"
   }
-#line 293 "twin.cpp"
+#line 331 "twin.cpp"
 
 #line 18 "tests/emit/shaders/switches.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -298,7 +336,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(choose(active, make<Int>(p.x)), early(active, p.x), make<Float>(pick(active, make<Uint>(p.y))), early(active, p.y)));
 #line 19 "tests/emit/shaders/switches.glsl"
   }
-#line 302 "twin.cpp"
+#line 340 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

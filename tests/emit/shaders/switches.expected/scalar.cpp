@@ -1,4 +1,42 @@
 #include "reference/twin/invocation.h"
+#undef choose
+#undef color
+#undef early
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef k
+#undef main
+#undef mainImage
+#undef nothing
+#undef p
+#undef pick
+#undef r
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef t
+#undef u
+#undef x
+#undef z
 
 namespace shadertwin::glsl {
 namespace {
@@ -6,15 +44,15 @@ namespace {
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/switches.glsl"
   Float choose(int k) {
@@ -133,7 +171,7 @@ struct Shader : Invocation {
     return r;
 #line 13 "tests/emit/shaders/switches.glsl"
   }
-#line 137 "twin.cpp"
+#line 175 "twin.cpp"
 
 #line 15 "tests/emit/shaders/switches.glsl"
   Float early(Float x) {
@@ -169,7 +207,7 @@ struct Shader : Invocation {
     return x;
 #line 15 "tests/emit/shaders/switches.glsl"
   }
-#line 173 "twin.cpp"
+#line 211 "twin.cpp"
 
 #line 16 "tests/emit/shaders/switches.glsl"
   void nothing(int k) {
@@ -203,7 +241,7 @@ struct Shader : Invocation {
     }
 #line 16 "tests/emit/shaders/switches.glsl"
   }
-#line 207 "twin.cpp"
+#line 245 "twin.cpp"
 
 #line 17 "tests/emit/shaders/switches.glsl"
   int pick(uint u) {
@@ -235,7 +273,7 @@ struct Shader : Invocation {
     return {};
 #line 17 "tests/emit/shaders/switches.glsl"
   }
-#line 239 "twin.cpp"
+#line 277 "twin.cpp"
 
 #line 18 "tests/emit/shaders/switches.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -244,7 +282,7 @@ struct Shader : Invocation {
     color = vec4(choose(make<int>(p.x)), early(p.x), Float(pick(make<uint>(p.y))), early(p.y));
 #line 19 "tests/emit/shaders/switches.glsl"
   }
-#line 248 "twin.cpp"
+#line 286 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,45 @@
 #include "reference/twin/packet_invocation.h"
+#undef a
+#undef b
+#undef bump
+#undef c
+#undef calls
+#undef color
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef main
+#undef mainImage
+#undef p
+#undef r
+#undef s
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef tick
+#undef v
+#undef w
+#undef x
+#undef y
+#undef z
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -7,16 +48,16 @@ struct Shader : Invocation {
   vec4 shadertoy_out_color{};
   Int calls{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
     calls = 0;
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 3 "tests/emit/shaders/ternary.glsl"
   Bool tick(Bool active, Bool b) {
@@ -26,7 +67,7 @@ struct Shader : Invocation {
     return b;
 #line 3 "tests/emit/shaders/ternary.glsl"
   }
-#line 30 "twin.cpp"
+#line 71 "twin.cpp"
 
 #line 4 "tests/emit/shaders/ternary.glsl"
   Float bump(Bool active, Float& x) {
@@ -36,7 +77,7 @@ struct Shader : Invocation {
     return x;
 #line 4 "tests/emit/shaders/ternary.glsl"
   }
-#line 40 "twin.cpp"
+#line 81 "twin.cpp"
 
 #line 5 "tests/emit/shaders/ternary.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -49,7 +90,7 @@ struct Shader : Invocation {
 #line 7 "tests/emit/shaders/ternary.glsl"
     Bool tmp_2 = tmp;
 #line 7 "tests/emit/shaders/ternary.glsl"
-    if (Bool active_2 = active && tmp; some__(active_2)) {
+    if (Bool active_2 = active && tmp; any__(active_2)) {
 #line 7 "tests/emit/shaders/ternary.glsl"
       set__(active_2, tmp_2, tick(active_2, y > 3.0f));
 #line 7 "tests/emit/shaders/ternary.glsl"
@@ -61,9 +102,9 @@ struct Shader : Invocation {
 #line 7 "tests/emit/shaders/ternary.glsl"
     Bool tmp_4 = tmp_3;
 #line 7 "tests/emit/shaders/ternary.glsl"
-    if (Bool active_3 = active && !tmp_3; some__(active_3)) {
+    if (Bool active_2 = active && !tmp_3; any__(active_2)) {
 #line 7 "tests/emit/shaders/ternary.glsl"
-      set__(active_3, tmp_4, tick(active_3, y > 5.0f));
+      set__(active_2, tmp_4, tick(active_2, y > 5.0f));
 #line 7 "tests/emit/shaders/ternary.glsl"
     }
 #line 7 "tests/emit/shaders/ternary.glsl"
@@ -76,15 +117,15 @@ struct Shader : Invocation {
 #line 8 "tests/emit/shaders/ternary.glsl"
     Float tmp_6{};
 #line 8 "tests/emit/shaders/ternary.glsl"
-    if (Bool active_4 = active && condition; some__(active_4)) {
+    if (Bool active_2 = active && condition; any__(active_2)) {
 #line 8 "tests/emit/shaders/ternary.glsl"
-      set__(active_4, tmp_6, bump(active_4, x));
+      set__(active_2, tmp_6, bump(active_2, x));
 #line 8 "tests/emit/shaders/ternary.glsl"
     }
 #line 8 "tests/emit/shaders/ternary.glsl"
-    if (Bool active_5 = active && !condition; some__(active_5)) {
+    if (Bool active_2 = active && !condition; any__(active_2)) {
 #line 8 "tests/emit/shaders/ternary.glsl"
-      set__(active_5, tmp_6, bump(active_5, y));
+      set__(active_2, tmp_6, bump(active_2, y));
 #line 8 "tests/emit/shaders/ternary.glsl"
     }
 #line 8 "tests/emit/shaders/ternary.glsl"
@@ -100,31 +141,31 @@ struct Shader : Invocation {
 #line 12 "tests/emit/shaders/ternary.glsl"
     Float tmp_7{};
 #line 12 "tests/emit/shaders/ternary.glsl"
-    if (Bool active_6 = active && condition_2; some__(active_6)) {
+    if (Bool active_2 = active && condition_2; any__(active_2)) {
 #line 12 "tests/emit/shaders/ternary.glsl"
-      set__(active_6, tmp_7, bump(active_6, x) + bump(active_6, y));
+      set__(active_2, tmp_7, bump(active_2, x) + bump(active_2, y));
 #line 12 "tests/emit/shaders/ternary.glsl"
     }
 #line 12 "tests/emit/shaders/ternary.glsl"
-    if (Bool active_7 = active && !condition_2; some__(active_7)) {
+    if (Bool active_2 = active && !condition_2; any__(active_2)) {
 #line 12 "tests/emit/shaders/ternary.glsl"
       const Bool condition_3 = b && c;
 #line 12 "tests/emit/shaders/ternary.glsl"
       Float tmp_8{};
 #line 12 "tests/emit/shaders/ternary.glsl"
-      if (Bool active_8 = active_7 && condition_3; some__(active_8)) {
+      if (Bool active_3 = active_2 && condition_3; any__(active_3)) {
 #line 12 "tests/emit/shaders/ternary.glsl"
-        set__(active_8, tmp_8, Float(-1.0f));
-#line 12 "tests/emit/shaders/ternary.glsl"
-      }
-#line 12 "tests/emit/shaders/ternary.glsl"
-      if (Bool active_9 = active_7 && !condition_3; some__(active_9)) {
-#line 12 "tests/emit/shaders/ternary.glsl"
-        set__(active_9, tmp_8, bump(active_9, x) * 0.5f);
+        set__(active_3, tmp_8, Float(-1.0f));
 #line 12 "tests/emit/shaders/ternary.glsl"
       }
 #line 12 "tests/emit/shaders/ternary.glsl"
-      set__(active_7, tmp_7, tmp_8);
+      if (Bool active_3 = active_2 && !condition_3; any__(active_3)) {
+#line 12 "tests/emit/shaders/ternary.glsl"
+        set__(active_3, tmp_8, bump(active_3, x) * 0.5f);
+#line 12 "tests/emit/shaders/ternary.glsl"
+      }
+#line 12 "tests/emit/shaders/ternary.glsl"
+      set__(active_2, tmp_7, tmp_8);
 #line 12 "tests/emit/shaders/ternary.glsl"
     }
 #line 12 "tests/emit/shaders/ternary.glsl"
@@ -132,15 +173,15 @@ struct Shader : Invocation {
     uniform::vec2 v = uniform::vec2(1.0f);
 #line 13 "tests/emit/shaders/ternary.glsl"
     swizzle<1, 0>(v) = v *= 2.0f;
-    if (Bool active_10 = active && (!(a || b) && c == false); some__(active_10)) {
+    if (Bool active_2 = active && (!(a || b) && c == false); any__(active_2)) {
 #line 14 "tests/emit/shaders/ternary.glsl"
-      set__(active_10, s, s + 0.5f);
+      set__(active_2, s, s + 0.5f);
 #line 14 "tests/emit/shaders/ternary.glsl"
     }
     set__(active, color, vec4(r + z * 8.0f, w + make<Float>(calls) * 32.0f, s + float(i), v.x + v.y + x - y));
 #line 15 "tests/emit/shaders/ternary.glsl"
   }
-#line 144 "twin.cpp"
+#line 185 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

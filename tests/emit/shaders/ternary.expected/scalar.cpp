@@ -1,4 +1,45 @@
 #include "reference/twin/invocation.h"
+#undef a
+#undef b
+#undef bump
+#undef c
+#undef calls
+#undef color
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef main
+#undef mainImage
+#undef p
+#undef r
+#undef s
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef tick
+#undef v
+#undef w
+#undef x
+#undef y
+#undef z
 
 namespace shadertwin::glsl {
 namespace {
@@ -7,16 +48,16 @@ struct Shader : Invocation {
   vec4 shadertoy_out_color{};
   int calls{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
     calls = 0;
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 3 "tests/emit/shaders/ternary.glsl"
   bool tick(bool b) {
@@ -26,7 +67,7 @@ struct Shader : Invocation {
     return b;
 #line 3 "tests/emit/shaders/ternary.glsl"
   }
-#line 30 "twin.cpp"
+#line 71 "twin.cpp"
 
 #line 4 "tests/emit/shaders/ternary.glsl"
   Float bump(Float& x) {
@@ -36,7 +77,7 @@ struct Shader : Invocation {
     return x;
 #line 4 "tests/emit/shaders/ternary.glsl"
   }
-#line 40 "twin.cpp"
+#line 81 "twin.cpp"
 
 #line 5 "tests/emit/shaders/ternary.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -70,7 +111,7 @@ struct Shader : Invocation {
     color = vec4(r + z * 8.0f, w + Float(calls) * 32.0f, s + Float(i), v.x + v.y + x - y);
 #line 15 "tests/emit/shaders/ternary.glsl"
   }
-#line 74 "twin.cpp"
+#line 115 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,37 @@
 #include "reference/twin/packet_invocation.h"
+#undef color
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef k
+#undef look
+#undef main
+#undef mainImage
+#undef p
+#undef s
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef size
+#undef uv
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -9,18 +42,18 @@ struct Shader : Invocation {
   array<uniform::vec3, 10> iChannelResolution{};
   sampler2D iChannel0{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iResolution", iResolution);
     bind("iChannelResolution", iChannelResolution);
     bind("iChannel0", iChannel0);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = true;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = true;
+  static constexpr bool uses_stop__ = false;
 
 #line 6 "tests/emit/shaders/texture_functions.glsl"
   vec4 look(Bool active, sampler2D s, vec2 uv) {
@@ -28,7 +61,7 @@ struct Shader : Invocation {
     return texture(active, s, uv) + texelFetch(active, s, make<ivec2>(uv * 3.0f), 0);
 #line 6 "tests/emit/shaders/texture_functions.glsl"
   }
-#line 32 "twin.cpp"
+#line 65 "twin.cpp"
 
 #line 7 "tests/emit/shaders/texture_functions.glsl"
   float size(Bool active, sampler2D s, int i) {
@@ -36,7 +69,7 @@ struct Shader : Invocation {
     return float(at(glsl::textureSize(s, 0), i));
 #line 7 "tests/emit/shaders/texture_functions.glsl"
   }
-#line 40 "twin.cpp"
+#line 73 "twin.cpp"
 
 #line 8 "tests/emit/shaders/texture_functions.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -45,44 +78,44 @@ struct Shader : Invocation {
     vec2 uv = p / vec2(iResolution.xy());
     Int k = make<Int>(p.y) % 8;
     set__(active, color, vec4(uniform::vec4(size(active, iChannel0, 0), size(active, iChannel0, 1), iChannelResolution[0].xy())));
-    if (Bool active_2 = active && (k == 0); some__(active_2)) {
+    if (Bool active_2 = active && (k == 0); any__(active_2)) {
 #line 12 "tests/emit/shaders/texture_functions.glsl"
       set__(active_2, color, look(active_2, iChannel0, uv * 2.0f + 0.01f));
 #line 12 "tests/emit/shaders/texture_functions.glsl"
     }
-    if (Bool active_2 = active && (k == 1); some__(active_2)) {
+    if (Bool active_2 = active && (k == 1); any__(active_2)) {
 #line 13 "tests/emit/shaders/texture_functions.glsl"
       set__(active_2, color, textureLod(active_2, iChannel0, -uv, 0.0f));
 #line 13 "tests/emit/shaders/texture_functions.glsl"
     }
-    if (Bool active_2 = active && (k == 2); some__(active_2)) {
+    if (Bool active_2 = active && (k == 2); any__(active_2)) {
 #line 14 "tests/emit/shaders/texture_functions.glsl"
       set__(active_2, color, textureGrad(active_2, iChannel0, uv.yx(), uniform::vec2(0.01f), uniform::vec2(0.0f)));
 #line 14 "tests/emit/shaders/texture_functions.glsl"
     }
-    if (Bool active_2 = active && (k == 3); some__(active_2)) {
+    if (Bool active_2 = active && (k == 3); any__(active_2)) {
 #line 15 "tests/emit/shaders/texture_functions.glsl"
       set__(active_2, color, textureOffset(active_2, iChannel0, uv, uniform::ivec2(1, -2)) + texelFetchOffset(active_2, iChannel0, make<ivec2>(p), 0, uniform::ivec2(-1, 1)));
 #line 15 "tests/emit/shaders/texture_functions.glsl"
     }
-    if (Bool active_2 = active && (k == 4); some__(active_2)) {
+    if (Bool active_2 = active && (k == 4); any__(active_2)) {
 #line 16 "tests/emit/shaders/texture_functions.glsl"
       set__(active_2, color, textureProj(active_2, iChannel0, vec3(p, 20.0f)) + textureProj(active_2, iChannel0, vec4(p, 1.0f, 16.0f)));
 #line 16 "tests/emit/shaders/texture_functions.glsl"
     }
-    if (Bool active_2 = active && (k == 5); some__(active_2)) {
+    if (Bool active_2 = active && (k == 5); any__(active_2)) {
 #line 17 "tests/emit/shaders/texture_functions.glsl"
       set__(active_2, color, texture(active_2, iChannel0, uv, 1.0f) + textureLodOffset(active_2, iChannel0, uv, 0.0f, uniform::ivec2(2)));
 #line 17 "tests/emit/shaders/texture_functions.glsl"
     }
-    if (Bool active_2 = active && (k == 6); some__(active_2)) {
+    if (Bool active_2 = active && (k == 6); any__(active_2)) {
 #line 18 "tests/emit/shaders/texture_functions.glsl"
       set__(active_2, color, textureProjLod(active_2, iChannel0, vec3(p, 8.0f), 0.0f) + textureGradOffset(active_2, iChannel0, uv, uniform::vec2(0.0f), uniform::vec2(0.0f), uniform::ivec2(-1)));
 #line 18 "tests/emit/shaders/texture_functions.glsl"
     }
 #line 18 "tests/emit/shaders/texture_functions.glsl"
   }
-#line 86 "twin.cpp"
+#line 119 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,37 @@
 #include "reference/twin/invocation.h"
+#undef color
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef k
+#undef look
+#undef main
+#undef mainImage
+#undef p
+#undef s
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef size
+#undef uv
 
 namespace shadertwin::glsl {
 namespace {
@@ -9,18 +42,18 @@ struct Shader : Invocation {
   array<vec3, 10> iChannelResolution{};
   sampler2D iChannel0{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iResolution", iResolution);
     bind("iChannelResolution", iChannelResolution);
     bind("iChannel0", iChannel0);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = true;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = true;
+  static constexpr bool uses_stop__ = false;
 
 #line 6 "tests/emit/shaders/texture_functions.glsl"
   vec4 look(sampler2D s, vec2 uv) {
@@ -28,7 +61,7 @@ struct Shader : Invocation {
     return texture(s, uv) + texelFetch(s, make<ivec2>(uv * 3.0f), 0);
 #line 6 "tests/emit/shaders/texture_functions.glsl"
   }
-#line 32 "twin.cpp"
+#line 65 "twin.cpp"
 
 #line 7 "tests/emit/shaders/texture_functions.glsl"
   Float size(sampler2D s, int i) {
@@ -36,7 +69,7 @@ struct Shader : Invocation {
     return Float(at(textureSize(s, 0), i));
 #line 7 "tests/emit/shaders/texture_functions.glsl"
   }
-#line 40 "twin.cpp"
+#line 73 "twin.cpp"
 
 #line 8 "tests/emit/shaders/texture_functions.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -82,7 +115,7 @@ struct Shader : Invocation {
     }
 #line 18 "tests/emit/shaders/texture_functions.glsl"
   }
-#line 86 "twin.cpp"
+#line 119 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,67 @@
 #include "reference/twin/packet_invocation.h"
+#undef Thing
+#undef a
+#undef c
+#undef calls
+#undef color
+#undef constant
+#undef constant_2
+#undef corners
+#undef far
+#undef five
+#undef fresh
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef indexed
+#undef k
+#undef kept
+#undef list
+#undef long_list
+#undef m
+#undef main
+#undef mainImage
+#undef missing
+#undef missing_thing
+#undef n
+#undef next
+#undef nowhere
+#undef outs
+#undef p
+#undef pairs
+#undef partly
+#undef rounds
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef sum
+#undef table
+#undef take
+#undef thing
+#undef things
+#undef turn
+#undef unsigned_far
+#undef weight
+#undef x
+#undef z
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -21,7 +84,7 @@ struct Shader : Invocation {
   array<Thing, 2> things{};
   Int calls{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
     unwritten(active, table);
     unwritten(active, pairs);
@@ -29,12 +92,12 @@ struct Shader : Invocation {
     calls = 0;
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iFrame", iFrame);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 7 "tests/emit/shaders/undefined.glsl"
   void take(Bool active, Thing& thing, array<Float, 3>& list, mat2& turn) {
@@ -49,17 +112,17 @@ struct Shader : Invocation {
     }
 #line 10 "tests/emit/shaders/undefined.glsl"
   }
-#line 53 "twin.cpp"
+#line 116 "twin.cpp"
 
 #line 13 "tests/emit/shaders/undefined.glsl"
   vec3 missing(Bool active, Float x) {
 #line 13 "tests/emit/shaders/undefined.glsl"
     vec3 result{};
 #line 15 "tests/emit/shaders/undefined.glsl"
-    if (Bool active_2 = active && (x > 9.0f); some__(active_2)) {
+    if (Bool active_2 = active && (x > 9.0f); any__(active_2)) {
       set__(active_2, result, vec3(x));
 #line 16 "tests/emit/shaders/undefined.glsl"
-      leave__(active_2, active);
+      mask_out__(active_2, active);
 #line 16 "tests/emit/shaders/undefined.glsl"
     }
 #line 16 "tests/emit/shaders/undefined.glsl"
@@ -68,21 +131,21 @@ struct Shader : Invocation {
     return result;
 #line 16 "tests/emit/shaders/undefined.glsl"
   }
-#line 72 "twin.cpp"
+#line 135 "twin.cpp"
 
 #line 19 "tests/emit/shaders/undefined.glsl"
   Thing missing_thing(Bool active, Float x) {
 #line 19 "tests/emit/shaders/undefined.glsl"
     Thing result{};
 #line 21 "tests/emit/shaders/undefined.glsl"
-    if (Bool active_2 = active && (x > 9.0f); some__(active_2)) {
+    if (Bool active_2 = active && (x > 9.0f); any__(active_2)) {
 #line 23 "tests/emit/shaders/undefined.glsl"
       Thing thing;
 #line 23 "tests/emit/shaders/undefined.glsl"
       thing.weight = 3.0f;
       set__(active_2, result, thing);
 #line 24 "tests/emit/shaders/undefined.glsl"
-      leave__(active_2, active);
+      mask_out__(active_2, active);
 #line 24 "tests/emit/shaders/undefined.glsl"
     }
 #line 24 "tests/emit/shaders/undefined.glsl"
@@ -91,7 +154,7 @@ struct Shader : Invocation {
     return result;
 #line 24 "tests/emit/shaders/undefined.glsl"
   }
-#line 95 "twin.cpp"
+#line 158 "twin.cpp"
 
 #line 28 "tests/emit/shaders/undefined.glsl"
   Float long_list(Bool active, int n) {
@@ -112,7 +175,7 @@ struct Shader : Invocation {
     return sum;
 #line 36 "tests/emit/shaders/undefined.glsl"
   }
-#line 116 "twin.cpp"
+#line 179 "twin.cpp"
 
 #line 40 "tests/emit/shaders/undefined.glsl"
   Int next(Bool active) {
@@ -124,7 +187,7 @@ struct Shader : Invocation {
     return tmp;
 #line 40 "tests/emit/shaders/undefined.glsl"
   }
-#line 128 "twin.cpp"
+#line 191 "twin.cpp"
 
 #line 42 "tests/emit/shaders/undefined.glsl"
   vec3 partly(Bool active, Float x) {
@@ -133,20 +196,20 @@ struct Shader : Invocation {
 #line 45 "tests/emit/shaders/undefined.glsl"
     const Bool condition = x < 2.0f;
 #line 45 "tests/emit/shaders/undefined.glsl"
-    if (Bool active_2 = active && condition; some__(active_2)) {
+    if (Bool active_2 = active && condition; any__(active_2)) {
       set__(active_2, color, vec3(1.0f, 2.0f, 3.0f));
 #line 46 "tests/emit/shaders/undefined.glsl"
     }
 #line 46 "tests/emit/shaders/undefined.glsl"
-    if (Bool active_2 = active && !condition; some__(active_2)) {
+    if (Bool active_2 = active && !condition; any__(active_2)) {
       const Bool condition_2 = x < 4.0f;
 #line 47 "tests/emit/shaders/undefined.glsl"
-      if (Bool active_3 = active_2 && condition_2; some__(active_3)) {
+      if (Bool active_3 = active_2 && condition_2; any__(active_3)) {
         set__(active_3, color, vec3(4.0f));
 #line 48 "tests/emit/shaders/undefined.glsl"
       }
 #line 48 "tests/emit/shaders/undefined.glsl"
-      if (Bool active_3 = active_2 && !condition_2; some__(active_3)) {
+      if (Bool active_3 = active_2 && !condition_2; any__(active_3)) {
 #line 50 "tests/emit/shaders/undefined.glsl"
         set__(active_3, color.x, 0.5f);
 #line 50 "tests/emit/shaders/undefined.glsl"
@@ -156,7 +219,7 @@ struct Shader : Invocation {
     return color;
 #line 51 "tests/emit/shaders/undefined.glsl"
   }
-#line 160 "twin.cpp"
+#line 223 "twin.cpp"
 
 #line 54 "tests/emit/shaders/undefined.glsl"
   Float rounds(Bool active, Float x) {
@@ -179,7 +242,7 @@ struct Shader : Invocation {
     return sum;
 #line 63 "tests/emit/shaders/undefined.glsl"
   }
-#line 183 "twin.cpp"
+#line 246 "twin.cpp"
 
 #line 66 "tests/emit/shaders/undefined.glsl"
   void mainImage(Bool active, vec4& c, vec2 p) {
@@ -258,7 +321,7 @@ struct Shader : Invocation {
     set__(active, c, vec4(sum + long_list(active, 3) + long_list(active, 4), outs, indexed, nowhere.y + dot(partly(active, p.x), vec3(1.0f, 10.0f, 100.0f)) + rounds(active, p.y)));
 #line 98 "tests/emit/shaders/undefined.glsl"
   }
-#line 262 "twin.cpp"
+#line 325 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,67 @@
 #include "reference/twin/invocation.h"
+#undef Thing
+#undef a
+#undef c
+#undef calls
+#undef color
+#undef constant
+#undef constant_2
+#undef corners
+#undef far
+#undef five
+#undef fresh
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef indexed
+#undef k
+#undef kept
+#undef list
+#undef long_list
+#undef m
+#undef main
+#undef mainImage
+#undef missing
+#undef missing_thing
+#undef n
+#undef next
+#undef nowhere
+#undef outs
+#undef p
+#undef pairs
+#undef partly
+#undef rounds
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef sum
+#undef table
+#undef take
+#undef thing
+#undef things
+#undef turn
+#undef unsigned_far
+#undef weight
+#undef x
+#undef z
 
 namespace shadertwin::glsl {
 namespace {
@@ -20,7 +83,7 @@ struct Shader : Invocation {
   array<Thing, 2> things{};
   int calls{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
     unwritten(table);
     unwritten(pairs);
@@ -28,12 +91,12 @@ struct Shader : Invocation {
     calls = 0;
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iFrame", iFrame);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 7 "tests/emit/shaders/undefined.glsl"
   void take(Thing& thing, array<Float, 3>& list, mat2& turn) {
@@ -48,7 +111,7 @@ struct Shader : Invocation {
     }
 #line 10 "tests/emit/shaders/undefined.glsl"
   }
-#line 52 "twin.cpp"
+#line 115 "twin.cpp"
 
 #line 13 "tests/emit/shaders/undefined.glsl"
   vec3 missing(Float x) {
@@ -61,7 +124,7 @@ struct Shader : Invocation {
     return {};
 #line 16 "tests/emit/shaders/undefined.glsl"
   }
-#line 65 "twin.cpp"
+#line 128 "twin.cpp"
 
 #line 19 "tests/emit/shaders/undefined.glsl"
   Thing missing_thing(Float x) {
@@ -78,7 +141,7 @@ struct Shader : Invocation {
     return {};
 #line 24 "tests/emit/shaders/undefined.glsl"
   }
-#line 82 "twin.cpp"
+#line 145 "twin.cpp"
 
 #line 28 "tests/emit/shaders/undefined.glsl"
   Float long_list(int n) {
@@ -99,7 +162,7 @@ struct Shader : Invocation {
     return sum;
 #line 36 "tests/emit/shaders/undefined.glsl"
   }
-#line 103 "twin.cpp"
+#line 166 "twin.cpp"
 
 #line 40 "tests/emit/shaders/undefined.glsl"
   int next() {
@@ -107,7 +170,7 @@ struct Shader : Invocation {
     return calls++;
 #line 40 "tests/emit/shaders/undefined.glsl"
   }
-#line 111 "twin.cpp"
+#line 174 "twin.cpp"
 
 #line 42 "tests/emit/shaders/undefined.glsl"
   vec3 partly(Float x) {
@@ -131,7 +194,7 @@ struct Shader : Invocation {
     return color;
 #line 51 "tests/emit/shaders/undefined.glsl"
   }
-#line 135 "twin.cpp"
+#line 198 "twin.cpp"
 
 #line 54 "tests/emit/shaders/undefined.glsl"
   Float rounds(Float x) {
@@ -154,7 +217,7 @@ struct Shader : Invocation {
     return sum;
 #line 63 "tests/emit/shaders/undefined.glsl"
   }
-#line 158 "twin.cpp"
+#line 221 "twin.cpp"
 
 #line 66 "tests/emit/shaders/undefined.glsl"
   void mainImage(vec4& c, vec2 p) {
@@ -195,9 +258,9 @@ struct Shader : Invocation {
     array<Float, 5> five = constant_2;
     mat3 m = mat3(1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f, 8.0f, 9.0f);
     five[far] += 10.0f;
-    Float& place = five[next()];
+    const int tmp = next();
 #line 92 "tests/emit/shaders/undefined.glsl"
-    place += 100.0f;
+    five[tmp] += 100.0f;
     at(at(m, far), unsigned_far) += 1000.0f;
     Float indexed = five[0] + five[4] * 2.0f + m[0].x + m[2].z * 3.0f + at(vec3(1.0f, 2.0f, 3.0f), far) + five[unsigned_far] + Float(calls) + pairs[far].x + things[far].weight;
 #line 97 "tests/emit/shaders/undefined.glsl"
@@ -205,7 +268,7 @@ struct Shader : Invocation {
     c = vec4(sum + long_list(3) + long_list(4), outs, indexed, nowhere.y + dot(partly(p.x), vec3(1.0f, 10.0f, 100.0f)) + rounds(p.y));
 #line 98 "tests/emit/shaders/undefined.glsl"
   }
-#line 209 "twin.cpp"
+#line 272 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,34 @@
 #include "reference/twin/invocation.h"
+#undef color
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iChannelTime
+#undef iDate
+#undef iFrame
+#undef iFrameRate
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef k
+#undef main
+#undef mainImage
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
 
 namespace shadertwin::glsl {
 namespace {
@@ -16,11 +46,11 @@ struct Shader : Invocation {
   Float iFrameRate{};
   array<Float, 4> iChannelTime{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iResolution", iResolution);
     bind("iTime", iTime);
     bind("iTimeDelta", iTimeDelta);
@@ -32,9 +62,9 @@ struct Shader : Invocation {
     bind("iFrameRate", iFrameRate);
     bind("iChannelTime", iChannelTime);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/uniforms.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -59,7 +89,7 @@ struct Shader : Invocation {
     }
 #line 7 "tests/emit/shaders/uniforms.glsl"
   }
-#line 63 "twin.cpp"
+#line 93 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,42 @@
 #include "reference/twin/packet_invocation.h"
+#undef O
+#undef U
+#undef a
+#undef d
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef k
+#undef main
+#undef mainImage
+#undef n
+#undef p
+#undef q
+#undef r
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef u
+#undef v
+#undef z
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -7,16 +45,16 @@ struct Shader : Invocation {
   vec4 shadertoy_out_color{};
   uniform::vec3 iResolution{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iResolution", iResolution);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 4 "tests/emit/shaders/uv_tricks.glsl"
   uniform::mat2 r(Bool active, float a) {
@@ -24,7 +62,7 @@ struct Shader : Invocation {
     return uniform::mat2(0.8f, -0.6f, 0.6f, 0.8f) * a;
 #line 4 "tests/emit/shaders/uv_tricks.glsl"
   }
-#line 28 "twin.cpp"
+#line 66 "twin.cpp"
 
 #line 5 "tests/emit/shaders/uv_tricks.glsl"
   void mainImage(Bool active, vec4& O, vec2 U) {
@@ -80,7 +118,7 @@ struct Shader : Invocation {
     set__(active, O, select__(O.x > 3.0f, O.yxzw(), O));
 #line 13 "tests/emit/shaders/uv_tricks.glsl"
   }
-#line 84 "twin.cpp"
+#line 122 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,44 @@
 #include "reference/twin/packet_invocation.h"
+#undef a
+#undef b
+#undef c
+#undef color
+#undef every
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef less
+#undef main
+#undef mainImage
+#undef more
+#undef other
+#undef p
+#undef s
+#undef same
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef some
+#undef t
+#undef v
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -6,15 +46,15 @@ namespace {
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/vectors.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -73,14 +113,14 @@ struct Shader : Invocation {
 #line 18 "tests/emit/shaders/vectors.glsl"
     v.x = v.y;
     set__(active, color, vec4(a.x + b.y + c.z, t.x - t.y, make<Float>(every) + 2.0f * make<Float>(some) + 4.0f * make<Float>(same) + 8.0f * make<Float>(other), v.x + v.z + s));
-    if (Bool active_2 = active && (p.y > 4.0f); some__(active_2)) {
+    if (Bool active_2 = active && (p.y > 4.0f); any__(active_2)) {
 #line 20 "tests/emit/shaders/vectors.glsl"
       set__(active_2, color, vec4(make<Float>(select__(equal(a, b).x, Int(1), Int(2))), make<Float>(select__(notEqual(make<ivec2>(make<ivec3>(a)), make<ivec2>(make<ivec3>(b))).y, Int(3), Int(4))), mix(a, b, less).x, v.w));
 #line 20 "tests/emit/shaders/vectors.glsl"
     }
 #line 20 "tests/emit/shaders/vectors.glsl"
   }
-#line 84 "twin.cpp"
+#line 124 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

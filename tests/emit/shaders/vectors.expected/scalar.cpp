@@ -1,4 +1,44 @@
 #include "reference/twin/invocation.h"
+#undef a
+#undef b
+#undef c
+#undef color
+#undef every
+#undef i
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef less
+#undef main
+#undef mainImage
+#undef more
+#undef other
+#undef p
+#undef s
+#undef same
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef some
+#undef t
+#undef v
 
 namespace shadertwin::glsl {
 namespace {
@@ -6,15 +46,15 @@ namespace {
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 2 "tests/emit/shaders/vectors.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -66,7 +106,7 @@ struct Shader : Invocation {
     }
 #line 20 "tests/emit/shaders/vectors.glsl"
   }
-#line 70 "twin.cpp"
+#line 110 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

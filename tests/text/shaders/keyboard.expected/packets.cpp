@@ -1,4 +1,39 @@
 #include "reference/twin/packet_invocation.h"
+#undef Key_A
+#undef Key_Enter
+#undef c
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef isKeyDown
+#undef isKeyPressed
+#undef isKeyReleased
+#undef isKeyToggled
+#undef key
+#undef main
+#undef mainImage
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef speed
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -11,17 +46,17 @@ struct Shader : Invocation {
   sampler2D iKeyboard{};
   float speed{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iKeyboard", iKeyboard);
     bind("speed", speed);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = true;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = true;
+  static constexpr bool uses_stop__ = false;
 
   Bool isKeyDown(Bool active, int key) {
     return texture(active, iKeyboard, uniform::vec2(float(key) / 255.0f, 0.125f)).x > 0.0f;
@@ -47,7 +82,7 @@ struct Shader : Invocation {
     set__(active, c, vec4(select__(isKeyDown(active, Key_A), Float(speed), Float(0.0f)), make<Float>(isKeyToggled(active, Key_Enter)), 0.0f, 1.0f));
 #line 4 "tests/text/shaders/keyboard.glsl"
   }
-#line 51 "twin.cpp"
+#line 86 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,29 @@
 #include "reference/twin/invocation.h"
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef level
+#undef main
+#undef shadertoy_out_color
+#undef unused
 
 namespace shadertwin::glsl {
 namespace {
@@ -10,18 +35,18 @@ struct Shader : Invocation {
   sampler2D iChannel0{};
   vec2 unused{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iResolution", iResolution);
     bind("iTime", iTime);
     bind("iChannel0", iChannel0);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = true;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = true;
+  static constexpr bool uses_stop__ = false;
 
 #line 4 "tests/text/shaders/legacy_names.glsl"
   Float level() {
@@ -29,7 +54,7 @@ struct Shader : Invocation {
     return texture(iChannel0, gl_FragCoord.xy() / iResolution.xy()).x + iTime;
 #line 4 "tests/text/shaders/legacy_names.glsl"
   }
-#line 33 "twin.cpp"
+#line 58 "twin.cpp"
 
 #line 5 "tests/text/shaders/legacy_names.glsl"
   void main() {
@@ -37,7 +62,7 @@ struct Shader : Invocation {
     shadertoy_out_color = vec4(clamp(level(), 0.0f, 1.0f));
 #line 5 "tests/text/shaders/legacy_names.glsl"
   }
-#line 41 "twin.cpp"
+#line 66 "twin.cpp"
 
 };
 

@@ -1,4 +1,31 @@
 #include "reference/twin/packet_invocation.h"
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef main
+#undef mainImage
+#undef o
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef u
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -6,15 +33,15 @@ namespace {
 struct Shader : Invocation {
   vec4 shadertoy_out_color{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 3 "tests/text/shaders/macro_entry.glsl"
   void mainImage(Bool active, vec4& o, vec2 u) {
@@ -24,7 +51,7 @@ struct Shader : Invocation {
     set__(active, o, vec4(u, 0.0f, 1.0f));
 #line 3 "tests/text/shaders/macro_entry.glsl"
   }
-#line 28 "twin.cpp"
+#line 55 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,4 +1,27 @@
 #include "reference/twin/packet_invocation.h"
+#undef color
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannel4
+#undef iChannel5
+#undef iChannel6
+#undef iChannel7
+#undef iChannel8
+#undef iChannel9
+#undef iChannelResolution
+#undef iDate
+#undef iFrame
+#undef iKeyboard
+#undef iMouse
+#undef iMouseButton
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef iViewMatrix
+#undef main
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -7,16 +30,16 @@ struct Shader : Invocation {
   uniform::vec3 iResolution{};
   vec4 color{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iResolution", iResolution);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
 #line 3 "tests/text/shaders/own_output.glsl"
   void main(Bool active) {
@@ -24,7 +47,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(gl_FragCoord.xy() / vec2(iResolution.xy()), 0.0f, 1.0f));
 #line 3 "tests/text/shaders/own_output.glsl"
   }
-#line 28 "twin.cpp"
+#line 51 "twin.cpp"
 
 };
 

@@ -1,4 +1,27 @@
 #include "reference/twin/invocation.h"
+#undef c
+#undef hertz
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannelResolution
+#undef iChannelTime
+#undef iDate
+#undef iFrame
+#undef iFrameRate
+#undef iMouse
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef main
+#undef mainImage
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef t
+#undef wave
 
 namespace shadertwin::glsl {
 namespace {
@@ -9,18 +32,18 @@ struct Shader : Invocation {
   sampler2D iChannel0{};
   samplerCube iChannel1{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iTime", iTime);
     bind("iChannel0", iChannel0);
     bind("iChannel1", iChannel1);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = true;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = true;
+  static constexpr bool uses_stop__ = false;
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);
@@ -34,7 +57,7 @@ struct Shader : Invocation {
     return sin(6.2831855f * hertz * t);
 #line 3 "tests/text/shaders/passes/common.glsl"
   }
-#line 38 "twin.cpp"
+#line 61 "twin.cpp"
 
 #line 3 "tests/text/shaders/passes/buffer_a.glsl"
   void mainImage(vec4& c, vec2 p) {
@@ -43,7 +66,7 @@ struct Shader : Invocation {
     c = texelFetch(iChannel0, make<ivec2>(p), 0) + texture(iChannel1, vec3(p, 1.0f)) * wave(iTime, 1.0f);
 #line 4 "tests/text/shaders/passes/buffer_a.glsl"
   }
-#line 47 "twin.cpp"
+#line 70 "twin.cpp"
 
 };
 

@@ -1,4 +1,32 @@
 #include "reference/twin/packet_invocation.h"
+#undef c
+#undef direction
+#undef hertz
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannelResolution
+#undef iChannelTime
+#undef iDate
+#undef iFrame
+#undef iFrameRate
+#undef iMouse
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef main
+#undef mainCubemap
+#undef origin
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef shadertwin_face
+#undef shadertwin_ray
+#undef st
+#undef t
+#undef wave
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -8,17 +36,17 @@ struct Shader : Invocation {
   uniform::vec3 iResolution{};
   int shadertwin_face{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iResolution", iResolution);
     bind("shadertwin_face", shadertwin_face);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
   void main(Bool active) {
     vec2 st = 2.0f * gl_FragCoord.xy() / vec2(iResolution.xy()) - 1.0f;
@@ -34,7 +62,7 @@ struct Shader : Invocation {
     return sin(6.2831855f * hertz * t);
 #line 3 "tests/text/shaders/passes/common.glsl"
   }
-#line 38 "twin.cpp"
+#line 66 "twin.cpp"
 
 #line 1 "tests/text/shaders/passes/cubemap_a.glsl"
   void mainCubemap(Bool active, vec4& c, vec2 p, uniform::vec3 origin, vec3 direction) {
@@ -44,7 +72,7 @@ struct Shader : Invocation {
     set__(active, c, vec4(direction, wave(active, p.x, 1.0f)));
 #line 1 "tests/text/shaders/passes/cubemap_a.glsl"
   }
-#line 48 "twin.cpp"
+#line 76 "twin.cpp"
 
 };
 

@@ -1,4 +1,35 @@
 #include "reference/twin/packet_invocation.h"
+#undef c
+#undef condition
+#undef direction
+#undef hertz
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannelResolution
+#undef iChannelTime
+#undef iDate
+#undef iFrame
+#undef iFrameRate
+#undef iMouse
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef kind
+#undef levels
+#undef main
+#undef mainImage
+#undef mainVR
+#undef origin
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef shadertwin_failed
+#undef st_assert
+#undef t
+#undef wave
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -10,22 +41,22 @@ struct Shader : Invocation {
   sampler2D iChannel0{};
   Int shadertwin_failed{};
 
-  void initialise(Bool active) {
+  void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
     shadertwin_failed = -1;
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iResolution", iResolution);
     bind("iChannelResolution", iChannelResolution);
     bind("iChannel0", iChannel0);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = true;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = true;
+  static constexpr bool uses_stop__ = false;
 
   void st_assert(Bool active, Bool condition, int kind) {
-    if (Bool active_2 = active && !condition; some__(active_2)) {
+    if (Bool active_2 = active && !condition; any__(active_2)) {
       set__(active_2, shadertwin_failed, kind);
     }
   }
@@ -37,7 +68,7 @@ struct Shader : Invocation {
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);
     mainImage(active, shadertoy_color, gl_FragCoord.xy());
-    if (Bool active_2 = active && (shadertwin_failed >= 0); some__(active_2)) {
+    if (Bool active_2 = active && (shadertwin_failed >= 0); any__(active_2)) {
       set__(active_2, swizzle<0, 1, 2>(shadertoy_color), vec3(make<Float>(shadertwin_failed == 0 || shadertwin_failed == 3), make<Float>(shadertwin_failed == 1 || shadertwin_failed == 3), make<Float>(shadertwin_failed == 2)));
     }
     set__(active, shadertoy_out_color, vec4(shadertoy_color.xyz(), 1.0f));
@@ -49,7 +80,7 @@ struct Shader : Invocation {
     return sin(6.2831855f * hertz * t);
 #line 3 "tests/text/shaders/passes/common.glsl"
   }
-#line 53 "twin.cpp"
+#line 84 "twin.cpp"
 
 #line 2 "tests/text/shaders/passes/image.glsl"
   void mainImage(Bool active, vec4& c, vec2 p) {
@@ -69,7 +100,7 @@ struct Shader : Invocation {
     set__(active, c, vec4(levels[0], levels[1], iChannelResolution[0].xy()));
 #line 6 "tests/text/shaders/passes/image.glsl"
   }
-#line 73 "twin.cpp"
+#line 104 "twin.cpp"
 
 #line 8 "tests/text/shaders/passes/image.glsl"
   void mainVR(Bool active, vec4& c, uniform::vec2 p, uniform::vec3 origin, uniform::vec3 direction) {
@@ -79,7 +110,7 @@ struct Shader : Invocation {
     set__(active, c, vec4(uniform::vec4(direction, 1.0f)));
 #line 8 "tests/text/shaders/passes/image.glsl"
   }
-#line 83 "twin.cpp"
+#line 114 "twin.cpp"
 
 };
 

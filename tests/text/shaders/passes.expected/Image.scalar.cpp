@@ -1,4 +1,35 @@
 #include "reference/twin/invocation.h"
+#undef c
+#undef condition
+#undef direction
+#undef hertz
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannelResolution
+#undef iChannelTime
+#undef iDate
+#undef iFrame
+#undef iFrameRate
+#undef iMouse
+#undef iResolution
+#undef iSampleRate
+#undef iTime
+#undef iTimeDelta
+#undef kind
+#undef levels
+#undef main
+#undef mainImage
+#undef mainVR
+#undef origin
+#undef p
+#undef shadertoy_color
+#undef shadertoy_out_color
+#undef shadertwin_failed
+#undef st_assert
+#undef t
+#undef wave
 
 namespace shadertwin::glsl {
 namespace {
@@ -10,19 +41,19 @@ struct Shader : Invocation {
   sampler2D iChannel0{};
   int shadertwin_failed{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
     shadertwin_failed = -1;
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iResolution", iResolution);
     bind("iChannelResolution", iChannelResolution);
     bind("iChannel0", iChannel0);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = true;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = true;
+  static constexpr bool uses_stop__ = false;
 
   void st_assert(bool condition, int kind) {
     if (!condition) {
@@ -49,7 +80,7 @@ struct Shader : Invocation {
     return sin(6.2831855f * hertz * t);
 #line 3 "tests/text/shaders/passes/common.glsl"
   }
-#line 53 "twin.cpp"
+#line 84 "twin.cpp"
 
 #line 2 "tests/text/shaders/passes/image.glsl"
   void mainImage(vec4& c, vec2 p) {
@@ -63,7 +94,7 @@ struct Shader : Invocation {
     c = vec4(levels[0], levels[1], iChannelResolution[0].xy());
 #line 6 "tests/text/shaders/passes/image.glsl"
   }
-#line 67 "twin.cpp"
+#line 98 "twin.cpp"
 
 #line 8 "tests/text/shaders/passes/image.glsl"
   void mainVR(vec4& c, vec2 p, vec3 origin, vec3 direction) {
@@ -73,7 +104,7 @@ struct Shader : Invocation {
     c = vec4(direction, 1.0f);
 #line 8 "tests/text/shaders/passes/image.glsl"
   }
-#line 77 "twin.cpp"
+#line 108 "twin.cpp"
 
 };
 

@@ -1,4 +1,23 @@
 #include "reference/twin/invocation.h"
+#undef hertz
+#undef iChannel0
+#undef iChannel1
+#undef iChannel2
+#undef iChannel3
+#undef iChannelResolution
+#undef iDate
+#undef iSampleOffset
+#undef iSampleRate
+#undef iTimeOffset
+#undef main
+#undef mainSound
+#undef samp
+#undef shadertoy_out_color
+#undef shadertwin_sample
+#undef shadertwin_time
+#undef t
+#undef time
+#undef wave
 
 namespace shadertwin::glsl {
 namespace {
@@ -9,18 +28,18 @@ struct Shader : Invocation {
   int iSampleOffset{};
   Float iSampleRate{};
 
-  void initialise() {
+  void initialise__() {
     unwritten(shadertoy_out_color);
   }
   template <class Bind>
-  void bind_uniforms(Bind&& bind) {
+  void bind_uniforms__(Bind&& bind) {
     bind("iTimeOffset", iTimeOffset);
     bind("iSampleOffset", iSampleOffset);
     bind("iSampleRate", iSampleRate);
   }
-  static constexpr bool uses_derivatives = false;
-  static constexpr bool uses_implicit_lod = false;
-  static constexpr bool uses_stop = false;
+  static constexpr bool uses_derivatives__ = false;
+  static constexpr bool uses_implicit_lod__ = false;
+  static constexpr bool uses_stop__ = false;
 
   void main() {
     int shadertwin_sample = make<int>(gl_FragCoord.x) + 512 * make<int>(gl_FragCoord.y);
@@ -34,7 +53,7 @@ struct Shader : Invocation {
     return sin(6.2831855f * hertz * t);
 #line 3 "tests/text/shaders/passes/common.glsl"
   }
-#line 38 "twin.cpp"
+#line 57 "twin.cpp"
 
 #line 1 "tests/text/shaders/passes/sound.glsl"
   vec2 mainSound(int samp, Float time) {
@@ -42,7 +61,7 @@ struct Shader : Invocation {
     return vec2(wave(time, 440.0f), wave(time, 441.0f));
 #line 1 "tests/text/shaders/passes/sound.glsl"
   }
-#line 46 "twin.cpp"
+#line 65 "twin.cpp"
 
 };
 
