@@ -141,11 +141,6 @@ TEST(EmitCpp, MemberNamedAfterItsTypeIsRenamed) {
       "ray ray_2;\n"));
 }
 
-TEST(EmitCpp, GlobalNamedAfterABuiltinIsRenamed) {
-  EXPECT_TRUE(contains(emitted("struct length { float x; };\nfloat f() { return length(3.0).x; }"),
-                       "return length_{3.0f}.x;\n"));
-}
-
 TEST(EmitCpp, MacrosOfHeadersAreUndefined) {
   EXPECT_TRUE(contains(emitted("float f(float alloca) { return alloca; }"), "#undef alloca\n"));
 }

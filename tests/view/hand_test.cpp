@@ -195,16 +195,17 @@ TEST_F(Hand, InspectedFramesAreDrawnAgainWithTheOptionsThatWereGiven) {
                R"("void mainImage(out vec4 c, in vec2 p) { c = vec4(K, iDate.x, SEED, 1); }"}]})");
   RunningView view(
       screen, folder,
-      "toy.json --size 640x360 --fixed --paused --date 2025-06-30 -D K=1 -D 'T=vec2(1, 2)' --seed 3 "
-      "--media media --dialect vscode --mute --vscode-quirks --quiet --init raw --init zero");
+      "toy.json --size 640x360 --fixed --paused --date 2025-06-30 -D K=1 -D T=vec2(1,2) --seed 3 "
+      "--media media --dialect vscode --mute --vscode-quirks --precise --init raw --init zero");
   ASSERT_TRUE(view.running()) << view.err();
   view.shoot();
   view.key("F3");
   screen.hand("mousemove 60 200 sleep 0.3 click 1");
   EXPECT_TRUE(eventually([&] { return view.out().ends_with("--on cpu\n"); })) << view.out();
   const std::string options =
-      " --date 2025-06-30T00:00:00 -D K=1 -D 'T=vec2(1, 2)' --seed 3 --media media --dialect vscode --mute "
-      "--vscode-quirks --init zero ";
+      " --date 2025-06-30T00:00:00 --mouse -1,-1 -D K=1 -D 'T=vec2(1,2)' --seed 3 --media media --dialect "
+      "vscode "
+      "--mute --vscode-quirks --init zero --precise ";
   EXPECT_NE(view.out().find("shadertwin debug toy.json --size 640x360 --fps 60 --frames"), std::string::npos)
       << view.out();
   EXPECT_NE(view.out().find(options + "--pixel"), std::string::npos) << view.out();
