@@ -143,7 +143,9 @@ class TextRules {
     group();
     in_define_ = at_ + 1 < tokens_.size() && tokens_[at_ + 1].is("define");
     if (in_define_ && at_ + 2 < tokens_.size() && tokens_[at_ + 2].preprocessor) macro(tokens_[at_ + 2].text);
-    if (at_ + 1 < tokens_.size() && tokens_[at_ + 1].is("extension") && audience_.site())
+    // Behind the shader's own code it is refused already.
+    if (at_ + 1 < tokens_.size() && tokens_[at_ + 1].is("extension") && audience_.site() &&
+        pass_.source.refused.empty())
       add("webgl2", "#extension behind code: browsers want it in front of everything, the host's text too");
   }
 
