@@ -20,8 +20,8 @@ template <class A, class B>
 }  // namespace shadertwin
 
 #ifdef NDEBUG
-#define SHADERTWIN_ASSERT(condition) static_cast<void>(sizeof(!(condition)))
-#define SHADERTWIN_ASSERT_COMPARED(a, operation, b) static_cast<void>(sizeof((a)operation(b)))
+#define SHADERTWIN_ASSERT(condition) static_cast<void>(decltype(!(condition))())
+#define SHADERTWIN_ASSERT_COMPARED(a, operation, b) static_cast<void>(decltype((a)operation(b))())
 #else
 #define SHADERTWIN_ASSERT(condition) \
   ((condition) ? static_cast<void>(0) : shadertwin::assertion_failed(__FILE__, __LINE__, #condition))
