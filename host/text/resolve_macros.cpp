@@ -14,9 +14,10 @@ namespace {
 using Macros = std::vector<std::pair<std::string, std::string>>;
 
 // Those that a shader can ask for by #ifdef.
-Macros host_macros(const Project& project) {
+Macros host_macros(const Project& project, Stage stage) {
   Macros macros;
-  if (project.local) macros.emplace_back("SHADER_TOY", "");
+  // Only local hosts have vertex shaders.
+  if (project.local || stage == Stage::vertex) macros.emplace_back("SHADER_TOY", "");
   if (project.dialect == Dialect::shadertoy) macros.emplace_back("HW_PERFORMANCE", "1");
   return macros;
 }
@@ -57,7 +58,7 @@ std::string refusals(const Project& project, const PassSource& source, const Pla
 
 void resolve_macros(const Project& project, PassSource& source, Stage stage) {
   PreprocessOptions options;
-  options.predefined = host_macros(project);
+  options.predefined = host_macros(project, stage);
   // Files for a local host may ask for extensions in front of all; on the site there is code before them.
   options.behind_head = project.dialect == Dialect::shadertoy;
   const int lines = std::max(static_cast<int>(source.lines.size()), count_lines(source.body));
