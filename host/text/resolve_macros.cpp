@@ -64,13 +64,17 @@ void resolve_macros(const Project& project, PassSource& source, Stage stage) {
   const int lines = std::max(static_cast<int>(source.lines.size()), count_lines(source.body));
   PlainText plain = preprocess(source.body, options);
   if (project.dialect == Dialect::vscode) {
-    // The shader's own meaning of a name wins.
-    const std::string code = to_text(plain, lines);
-    const std::vector<Token> tokens = tokenize(code);
-    const std::size_t before = options.predefined.size();
-    for (auto& [name, meaning] : other_names(stage))
-      if (!declares(tokens, name)) options.predefined.emplace_back(std::move(name), std::move(meaning));
-    if (options.predefined.size() != before) plain = preprocess(source.body, options);
+    Macros names = other_names(stage);
+    const std::vector<Token> written = tokenize(source.body);
+    std::erase_if(names, [&](const auto& name) { return !mentions(written, name.first); });
+    if (!names.empty()) {
+      // The shader's own meaning of a name wins.
+      const std::string code = to_text(plain, lines);
+      const std::vector<Token> tokens = tokenize(code);
+      for (auto& [name, meaning] : names)
+        if (!declares(tokens, name)) options.predefined.emplace_back(std::move(name), std::move(meaning));
+      plain = preprocess(source.body, options);
+    }
   }
   source.refused = refusals(project, source, plain);
   source.written = std::exchange(source.body, to_text(plain, lines));
