@@ -17,17 +17,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-FileWatch::Moment moment(const timespec& time) {
+FileWatch::Stamp stamp_of(const timespec& time) {
   return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
 // By ctime: a file that is moved into another's place keeps its mtime.
-bool saved_since(const fs::path& file, FileWatch::Moment read) {
+bool saved_since(const fs::path& file, FileWatch::Stamp read) {
   struct stat status;
-  return stat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && moment(status.st_ctim) >= read;
+  return stat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && stamp_of(status.st_ctim) >= read;
 }
 
-bool any_saved_since(const fs::path& folder, FileWatch::Moment read) {
+bool any_saved_since(const fs::path& folder, FileWatch::Stamp read) {
   std::error_code ignored;
   for (fs::directory_iterator it(folder, ignored), end; !ignored && it != end; it.increment(ignored))
     if (saved_since(it->path(), read)) return true;
@@ -36,10 +36,10 @@ bool any_saved_since(const fs::path& folder, FileWatch::Moment read) {
 
 }  // namespace
 
-FileWatch::Moment FileWatch::now() {
+FileWatch::Stamp FileWatch::now() {
   timespec time;
   clock_gettime(CLOCK_REALTIME_COARSE, &time);  // the one that the kernel stamps files by
-  return moment(time);
+  return stamp_of(time);
 }
 
 FileWatch::FileWatch() : descriptor_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
@@ -51,7 +51,7 @@ FileWatch::~FileWatch() {
   close(descriptor_);
 }
 
-void FileWatch::set_files(const std::vector<fs::path>& files, Moment read) {
+void FileWatch::set_files(const std::vector<fs::path>& files, Stamp read) {
   std::map<fs::path, Folder> wanted;
   for (const fs::path& file : files) {
     std::error_code ignored;

@@ -18,14 +18,14 @@ class FileWatch {
   FileWatch(const FileWatch&) = delete;
   FileWatch& operator=(const FileWatch&) = delete;
 
-  // A moment of the clock that stamps files, from the epoch.
-  using Moment = std::chrono::nanoseconds;
-  static Moment now();
+  // Time of the clock that stamps files, from the epoch.
+  using Stamp = std::chrono::nanoseconds;
+  static Stamp now();
 
   // Watches these files from now on, and no others. They need not be there. A folder among them stands for
   // every file in it. What was saved after `read`, when somebody began to read them, and before it was
   // watched, changed() reports too.
-  void set_files(const std::vector<std::filesystem::path>& files, Moment read = Moment::max());
+  void set_files(const std::vector<std::filesystem::path>& files, Stamp read = Stamp::max());
   // Becomes readable when something happens that changed() should hear of.
   int descriptor() const { return descriptor_; }
   // Whether changed() has something to say that happened before the watch: descriptor() is silent about it.

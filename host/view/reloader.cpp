@@ -33,7 +33,7 @@ std::vector<fs::path> files_of(const fs::path& shader, const Project& project) {
   return files;
 }
 
-Reloader::Reloader(Load load, const fs::path& shader, const Project& project, FileWatch::Moment read)
+Reloader::Reloader(Load load, const fs::path& shader, const Project& project, FileWatch::Stamp read)
     : load_(std::move(load)), wake_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)), shader_(shader) {
   watch_.set_files(files_of(shader, project), read);
   thread_ = std::thread([this] { work(); });
@@ -95,7 +95,7 @@ void Reloader::load(const fs::path& shader, Clock::time_point since) {
   Result result;
   result.shader = shader;
   result.since = since;
-  const FileWatch::Moment read = FileWatch::now();
+  const FileWatch::Stamp read = FileWatch::now();
   try {
     result.loaded = load_(shader);
     shader_ = shader;

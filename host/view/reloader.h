@@ -39,7 +39,7 @@ class Reloader {
   };
 
   // Watches the files of `project`, which the window shows already; `read` is when reading them began.
-  Reloader(Load load, const std::filesystem::path& shader, const Project& project, FileWatch::Moment read);
+  Reloader(Load load, const std::filesystem::path& shader, const Project& project, FileWatch::Stamp read);
   ~Reloader();
   Reloader(const Reloader&) = delete;
   Reloader& operator=(const Reloader&) = delete;

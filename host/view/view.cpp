@@ -400,7 +400,7 @@ class View {
   Window window_;  // before everything that lives in its contexts
   Dashboard dashboard_;
   Presenter presenter_;
-  FileWatch::Moment read_;  // when reading the first project began
+  FileWatch::Stamp read_;  // when reading the first project began
   Playing playing_;
   LiveClock clock_;
   std::size_t scale_ = 0;

@@ -32,7 +32,7 @@ TEST(FileWatch, ReportsWhatWasSavedAfterItWasReadAndBeforeItWasWatched) {
   const ScratchFolder folder;
   const auto old = folder.write("old.glsl", "1");
   std::this_thread::sleep_for(std::chrono::milliseconds(20));  // longer than a tick of the file clock
-  const FileWatch::Moment read = FileWatch::now();
+  const FileWatch::Stamp read = FileWatch::now();
   FileWatch watch;
   watch.set_files({old}, read);
   EXPECT_FALSE(watch.missed());
