@@ -8,7 +8,7 @@
 #include "host/app/command.h"
 #include "host/app/options.h"
 #include "host/base/error.h"
-#include "reference/twin/twin_player.h"
+#include "reference/twin/twin_device.h"
 
 namespace shadertwin::app {
 
@@ -40,8 +40,9 @@ void play_to_the_pixel(const DebugOptions& options) {
   const glm::ivec2 pixel = options.pixel;
   twin::TwinOptions twin_options;
   twin_options.double_precision = options.on.double_precision;
-  twin_options.stop_at = twin::Moment{chosen_pass(project, options), options.frames - 1, pixel.x, pixel.y};
-  const auto player = twin::TwinPlayer::create(project, twin_options);
+  twin_options.stop_at =
+      twin::Breakpoint{chosen_pass(project, options), options.frames - 1, pixel.x, pixel.y};
+  const auto player = twin::make_player(project, twin_options);
   FixedClock clock(options.schedule, host_rules(project));
   for (int i = 0; i < options.frames; ++i) player->render(clock.next());
   const Image image = player->read(twin_options.stop_at->pass);

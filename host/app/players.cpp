@@ -2,8 +2,8 @@
 
 #include <cstdio>
 
-#include "host/gl/gl_player.h"
-#include "reference/twin/twin_player.h"
+#include "host/gl/gl_device.h"
+#include "reference/twin/twin_device.h"
 
 namespace shadertwin::app {
 
@@ -12,7 +12,7 @@ namespace {
 std::unique_ptr<Player> open_gl(const DeviceChoice& on, const Project& project) {
   gl::PlayerOptions options;
   options.dispatch = on.dispatch;
-  return gl::GlPlayer::create(gl::open_context(on.device), project, options);
+  return gl::make_player(gl::open_context(on.device), project, options);
 }
 
 std::unique_ptr<Player> open_twin(const DeviceChoice& on, const Project& project,
@@ -24,7 +24,7 @@ std::unique_ptr<Player> open_twin(const DeviceChoice& on, const Project& project
     const Region& tile = *options.tile;
     twin_options.region = twin::Rectangle{tile.x, tile.y, tile.width, tile.height};
   }
-  return twin::TwinPlayer::create(project, twin_options);
+  return twin::make_player(project, twin_options);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/gl/gl_player.h"
+#include "host/gl/gl_device.h"
 #include "host/player/fixed_clock.h"
 
 namespace shadertwin::app {

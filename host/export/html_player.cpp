@@ -115,7 +115,7 @@ class Describer {
             {"wrap", name_of(wrap_names, sampler.wrap)},
             {"vflip", sampler.vflip},
             {"red", input.red_only},
-            {"mipmaps", sampler.min != MinFilter::nearest && sampler.min != MinFilter::linear}};
+            {"mipmaps", sampler.uses_mipmaps()}};
   }
 
   // Files that a browser reads as we do go in as they are: it decodes 8 bits a channel.

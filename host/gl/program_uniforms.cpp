@@ -57,14 +57,15 @@ ProgramUniforms::ProgramUniforms(const Functions& gl, const Program& program, co
       custom_.push_back({location, custom.type, i, custom.value});
   }
   gl.UseProgram(program.name());
-  for (std::size_t i = 0; i < max_channels; ++i)
-    if (const GLint location = program.uniform("iChannel" + std::to_string(i)); location >= 0)
-      gl.Uniform1i(location, static_cast<GLint>(i));
-  if (const GLint location = program.uniform("iKeyboard"); location >= 0)
-    gl.Uniform1i(location, static_cast<GLint>(keyboard_unit));
+  for (std::size_t i = 0; i < sampled_.size(); ++i) {
+    const GLint location =
+        program.uniform(i == keyboard_channel ? "iKeyboard" : "iChannel" + std::to_string(i));
+    sampled_[i] = location >= 0;
+    if (sampled_[i]) gl.Uniform1i(location, static_cast<GLint>(i));
+  }
 }
 
-void ProgramUniforms::set(const Uniforms& values, const std::vector<std::array<float, 4>>& custom) const {
+void ProgramUniforms::set(const Uniforms& values, std::span<const std::array<float, 4>> custom) const {
   for (const BuiltIn& slot : built_in_)
     set_uniform(*gl_, slot.location, slot.type, slot.count,
                 reinterpret_cast<const char*>(&values) + slot.offset);

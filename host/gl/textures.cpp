@@ -21,10 +21,6 @@ void limit_levels(const Functions& gl, GLenum target, GLsizei levels) {
 
 }  // namespace
 
-bool uses_mipmaps(MinFilter filter) {
-  return filter != MinFilter::nearest && filter != MinFilter::linear;
-}
-
 GLenum texture_target(const Texture& texture) {
   if (texture.faces == 6) return GL_TEXTURE_CUBE_MAP;
   return texture.is_volume ? GL_TEXTURE_3D : GL_TEXTURE_2D;
@@ -63,22 +59,6 @@ TextureObject make_target(const Functions& gl, GLenum target, glm::ivec2 size, b
   gl.BindTexture(target, object.name());
   gl.TexStorage2D(target, levels, target == GL_TEXTURE_CUBE_MAP ? GL_RGBA16F : GL_RGBA32F, size.x, size.y);
   limit_levels(gl, target, levels);
-  return object;
-}
-
-TextureObject make_unbound(const Functions& gl, GLenum target, std::uint8_t alpha) {
-  Texture black;
-  black.width = black.height = 1;
-  black.faces = target == GL_TEXTURE_CUBE_MAP ? 6 : 1;
-  for (int face = 0; face < black.faces; ++face)
-    for (const std::uint8_t value : {std::uint8_t{0}, std::uint8_t{0}, std::uint8_t{0}, alpha})
-      black.data.push_back(static_cast<std::byte>(value));
-  if (target != GL_TEXTURE_3D) return upload(gl, black, false);
-  TextureObject object(gl);
-  gl.BindTexture(target, object.name());
-  gl.TexStorage3D(target, 1, GL_RGBA8, 1, 1, 1);
-  gl.TexSubImage3D(target, 0, 0, 0, 0, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, black.data.data());
-  limit_levels(gl, target, 1);
   return object;
 }
 

@@ -33,6 +33,8 @@ struct Sampler {
   MagFilter mag = MagFilter::linear;
   Wrap wrap = Wrap::repeat;
   bool vflip = true;  // the picture's bottom row is at t = 0
+
+  bool uses_mipmaps() const { return min != MinFilter::nearest && min != MinFilter::linear; }
 };
 
 enum class InputKind {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <future>
+#include <optional>
 #include <utility>
 
 #include "host/player/inputs.h"
@@ -45,16 +46,18 @@ class SharedStage final : public Stage {
   SharedStage(Window& window, const Project& project, gl::PlayerOptions options)
       : window_(window), project_(project) {
     options.timers = true;
-    player_ = gl::GlPlayer::create(window.take_player_context(), project, options);
-    player_->context().release();  // made in one thread, played in another
+    auto device = std::make_unique<gl::GlDevice>(window.take_player_context(), project, options);
+    device_ = device.get();
+    player_.emplace(std::move(device));
+    device_->context().release();  // made in one thread, played in another
   }
-  ~SharedStage() override { player_->context().make_current(); }
+  ~SharedStage() override { device_->context().make_current(); }
 
   void draw(const Frame& frame) override {
-    gl::Context& context = player_->context();
+    gl::Context& context = device_->context();
     context.make_current();
     seen_.wait(context.functions());
-    milliseconds_ = player_->milliseconds();
+    milliseconds_ = device_->milliseconds();
     player_->render(frame);
     drawn_.set(context.functions());
     size_ = {frame.width, frame.height};
@@ -67,7 +70,7 @@ class SharedStage final : public Stage {
     const PassTraits& kind = traits(project_.passes[static_cast<std::size_t>(pass)]);
     if (!kind.every_frame) return {};
     return {static_cast<GLenum>(kind.faces == 6 ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D),
-            player_->texture(pass), kind.side != 0 ? glm::ivec2(kind.side) : size_};
+            device_->name(player_->texture(pass)), kind.side != 0 ? glm::ivec2(kind.side) : size_};
   }
   void shown() override { seen_.set(window_.context().functions()); }
   Image read(int pass) override { return player_->read(pass); }
@@ -77,14 +80,16 @@ class SharedStage final : public Stage {
   bool continue_from(Stage& earlier) override {
     auto* other = dynamic_cast<SharedStage*>(&earlier);
     if (other == nullptr) return false;
-    player_->continue_from(*other->player_);
+    player_->continue_from(*other->player_,
+                           [&](TextureId from, TextureId to) { device_->copy(*other->device_, from, to); });
     return true;
   }
 
  private:
   Window& window_;
   Project project_;
-  std::unique_ptr<gl::GlPlayer> player_;
+  gl::GlDevice* device_ = nullptr;  // the player's
+  std::optional<Player> player_;
   Fence drawn_;
   Fence seen_;
   glm::ivec2 size_{0};

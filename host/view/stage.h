@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "host/gl/gl_player.h"
+#include "host/gl/gl_device.h"
 #include "host/player/player.h"
 #include "host/view/player_thread.h"
 #include "host/view/presenter.h"

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "host/gl/gl_player.h"
+#include "host/gl/gl_device.h"
 #include "host/player/live_clock.h"
 #include "host/project/project.h"
 #include "host/view/stage.h"

@@ -8,7 +8,7 @@
 #include "host/project/kinds.h"
 #include "reference/check/trace.h"
 #include "reference/glsl/check.h"
-#include "reference/twin/twin_player.h"
+#include "reference/twin/twin_device.h"
 
 namespace shadertwin::check {
 namespace {
@@ -116,13 +116,13 @@ Unsteady compare_bits(const Image& a, const Image& b, int pass, int frame) {
   return result;
 }
 
-std::unique_ptr<twin::TwinPlayer> open(const Project& project, const RunOptions& options,
-                                       twin::Uninitialised uninitialised, twin::Observer& observer) {
+std::unique_ptr<Player> open(const Project& project, const RunOptions& options,
+                             twin::Uninitialised uninitialised, twin::Observer& observer) {
   twin::TwinOptions twin_options;
   twin_options.uninitialised = uninitialised;
   twin_options.timeout = options.timeout;
   twin_options.observer = &observer;
-  return twin::TwinPlayer::create(project, twin_options);
+  return twin::make_player(project, twin_options);
 }
 
 // What the chosen pixels compute when variables start in that way.

@@ -18,7 +18,7 @@ struct RunOptions {
 // Draws the frames twice, with variables that start as zero and as a pattern. Finds undefined operations
 // (kind `undefined`), the lines where NaN and infinities first appear (`nan`, `inf`), loops of more rounds
 // than llvmpipe runs (`loop`), and values that were never written and reach a picture (`uninitialised`).
-// Throws what TwinPlayer throws.
+// Throws what twin::make_player() and Player::render() throw.
 std::vector<Finding> run_checks(const Project& project, const RunOptions& options);
 
 }  // namespace shadertwin::check

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "reference/twin/twin_player.h"
+#include "reference/twin/twin_device.h"
 
 namespace shadertwin::check {
 

@@ -4,7 +4,7 @@
 //   build-bench/shadertwin_bench --benchmark_repetitions=9 --benchmark_enable_random_interleaving=true
 #include <benchmark/benchmark.h>
 
-#include "host/gl/gl_player.h"
+#include "host/gl/gl_device.h"
 #include "host/gl/objects.h"
 #include "host/gl/program.h"
 #include "host/gl/textures.h"
@@ -92,7 +92,7 @@ void bare_draw_and_read(benchmark::State& state, const char* device) {
 class Playing {
  public:
   Playing(const char* device, const Project& project)
-      : player_(gl::GlPlayer::create(gl::open_context(device), project, {gl::Dispatch::fragment})),
+      : player_(gl::make_player(gl::open_context(device), project, {gl::Dispatch::fragment})),
         last_(static_cast<int>(project.passes.size()) - 1),
         clock_({.width = size.x, .height = size.y, .date = {}, .mouse = {}, .keys = {}},
                host_rules(project)) {}
@@ -102,7 +102,7 @@ class Playing {
   Image read() { return player_->read(last_); }
 
  private:
-  std::unique_ptr<gl::GlPlayer> player_;
+  std::unique_ptr<Player> player_;
   int last_;
   FixedClock clock_;
 };

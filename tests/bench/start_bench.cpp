@@ -7,7 +7,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "host/gl/gl_player.h"
+#include "host/gl/gl_device.h"
 #include "host/gl/program.h"
 #include "host/image/image.h"
 #include "host/text/load.h"
@@ -103,8 +103,7 @@ void process(benchmark::State& state) {
 void start(benchmark::State& state, const char* device) {
   const SixPasses project;
   for ([[maybe_unused]] auto _ : state) {
-    const auto player =
-        gl::GlPlayer::create(gl::open_context(device), project.load(), {gl::Dispatch::fragment});
+    const auto player = gl::make_player(gl::open_context(device), project.load(), {gl::Dispatch::fragment});
     player->finish();
   }
 }

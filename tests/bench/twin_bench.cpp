@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "host/gl/gl_player.h"
+#include "host/gl/gl_device.h"
 #include "host/player/fixed_clock.h"
 #include "host/text/load.h"
-#include "reference/twin/twin_player.h"
+#include "reference/twin/twin_device.h"
 #include "tests/scratch_folder.h"
 
 namespace shadertwin {
@@ -59,20 +59,20 @@ void play(benchmark::State& state, Player& player, const Project& project) {
 
 void llvmpipe(benchmark::State& state, Project (*load)()) {
   const Project project = load();
-  const auto player = gl::GlPlayer::create(gl::open_context("llvmpipe"), project, {gl::Dispatch::fragment});
+  const auto player = gl::make_player(gl::open_context("llvmpipe"), project, {gl::Dispatch::fragment});
   play(state, *player, project);
 }
 
 void twin(benchmark::State& state, Project (*load)()) {
   const Project project = load();
-  play(state, *twin::TwinPlayer::create(project), project);
+  play(state, *twin::make_player(project), project);
 }
 
 void twin_of_single_pixels(benchmark::State& state, Project (*load)()) {
   const Project project = load();
   twin::TwinOptions options;
   options.packets = false;
-  play(state, *twin::TwinPlayer::create(project, options), project);
+  play(state, *twin::make_player(project, options), project);
 }
 
 // Translating and compiling every pass, into a cache that holds nothing, not even the headers.
@@ -83,7 +83,7 @@ void twin_cold(benchmark::State& state) {
     const ScratchFolder cache;
     setenv("XDG_CACHE_HOME", cache.path().c_str(), 1);
     state.ResumeTiming();
-    twin::TwinPlayer::create(project);
+    twin::make_player(project);
   }
   unsetenv("XDG_CACHE_HOME");
 }
@@ -93,9 +93,9 @@ void twin_new_shader(benchmark::State& state) {
   const ScratchFolder cache;
   setenv("XDG_CACHE_HOME", cache.path().c_str(), 1);
   const Project project = scene_0();
-  twin::TwinPlayer::create(marcher());
+  twin::make_player(marcher());
   for (auto _ : state) {
-    twin::TwinPlayer::create(project);
+    twin::make_player(project);
     state.PauseTiming();
     for (const auto& entry : std::filesystem::directory_iterator(cache.path() / "shadertwin"))
       if (entry.path().extension() == ".so") std::filesystem::remove(entry.path());
@@ -106,8 +106,8 @@ void twin_new_shader(benchmark::State& state) {
 
 void twin_from_cache(benchmark::State& state) {
   const Project project = scene_0();
-  twin::TwinPlayer::create(project);
-  for (auto _ : state) twin::TwinPlayer::create(project);
+  twin::make_player(project);
+  for (auto _ : state) twin::make_player(project);
 }
 
 #define SHADERTWIN_PLAYED(function)             \

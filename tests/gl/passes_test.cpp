@@ -163,7 +163,7 @@ void mainImage(out vec4 c, in vec2 p) { c = textureLod(iChannel0, vec2(.5), 9.) 
 void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(0), 0); }
 )");
   const Project project = load_project(folder / "tabs");
-  const auto player = gl::GlPlayer::create(gl::open_context(GetParam().name), project, {GetParam().dispatch});
+  const auto player = gl::make_player(gl::open_context(GetParam().name), project, {GetParam().dispatch});
   for (int run = 0; run < 2; ++run) {
     FixedClock clock(small(8, 8), host_rules(project));
     player->render(clock.next());
@@ -180,14 +180,17 @@ TEST_P(Passes, TimersMeasureEveryPassWithoutChangingThePicture) {
 void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0) * 2.; }
 )");
   const Project project = load_project(shader);
-  const auto timed = gl::GlPlayer::create(gl::open_context(GetParam().name), project,
-                                          {.dispatch = GetParam().dispatch, .timers = true});
+  auto made =
+      std::make_unique<gl::GlDevice>(gl::open_context(GetParam().name), project,
+                                     gl::PlayerOptions{.dispatch = GetParam().dispatch, .timers = true});
+  gl::GlDevice& device = *made;
+  Player timed(std::move(made));
   FixedClock clock(small(), host_rules(project));
-  for (int i = 0; i < 8; ++i) timed->render(clock.next());
-  timed->finish();
-  EXPECT_EQ(timed->read(1).rgba, frames(project, 8, small()).back().rgba);
-  const auto times = timed->milliseconds();
-  if (!timed->context().has_extension("GL_EXT_disjoint_timer_query")) {
+  for (int i = 0; i < 8; ++i) timed.render(clock.next());
+  timed.finish();
+  EXPECT_EQ(timed.read(1).rgba, frames(project, 8, small()).back().rgba);
+  const auto times = device.milliseconds();
+  if (!device.context().has_extension("GL_EXT_disjoint_timer_query")) {
     EXPECT_TRUE(times.empty());
     return;
   }

@@ -6,31 +6,31 @@
 #include <string>
 #include <vector>
 
-#include "host/gl/gl_player.h"
+#include "host/gl/gl_device.h"
 #include "host/player/fixed_clock.h"
 #include "tests/scratch_folder.h"
 
 namespace shadertwin {
 
 // Where and how a test's shaders run.
-struct Device {
+struct TestDevice {
   std::string name;
   gl::Dispatch dispatch = gl::Dispatch::fragment;
 };
 
-inline void PrintTo(const Device& device, std::ostream* out) {
+inline void PrintTo(const TestDevice& device, std::ostream* out) {
   *out << device.name << (device.dispatch == gl::Dispatch::compute ? "/compute" : "/fragment");
 }
 
-inline std::string device_name(const testing::TestParamInfo<Device>& info) {
+inline std::string device_name(const testing::TestParamInfo<TestDevice>& info) {
   return info.param.name + (info.param.dispatch == gl::Dispatch::compute ? "Compute" : "Fragment");
 }
 
 // Every test of this suite runs on EGL and OSMesa, as fragments and as compute.
-class OnEveryDevice : public testing::TestWithParam<Device> {
+class OnEveryDevice : public testing::TestWithParam<TestDevice> {
  protected:
-  std::unique_ptr<gl::GlPlayer> play(const Project& project) const {
-    return gl::GlPlayer::create(gl::open_context(GetParam().name), project, {GetParam().dispatch});
+  std::unique_ptr<Player> play(const Project& project) const {
+    return gl::make_player(gl::open_context(GetParam().name), project, {GetParam().dispatch});
   }
 
   // The last pass after each frame of the schedule.
@@ -55,12 +55,13 @@ class OnEveryDevice : public testing::TestWithParam<Device> {
   ScratchFolder folder;
 };
 
-#define SHADERTWIN_ON_EVERY_DEVICE(suite)                                                                    \
-  INSTANTIATE_TEST_SUITE_P(                                                                                  \
-      , suite,                                                                                               \
-      testing::Values(Device{"llvmpipe", gl::Dispatch::fragment}, Device{"llvmpipe", gl::Dispatch::compute}, \
-                      Device{"osmesa", gl::Dispatch::fragment}, Device{"osmesa", gl::Dispatch::compute}),    \
-      device_name)
+#define SHADERTWIN_ON_EVERY_DEVICE(suite)                                                  \
+  INSTANTIATE_TEST_SUITE_P(, suite,                                                        \
+                           testing::Values(TestDevice{"llvmpipe", gl::Dispatch::fragment}, \
+                                           TestDevice{"llvmpipe", gl::Dispatch::compute},  \
+                                           TestDevice{"osmesa", gl::Dispatch::fragment},   \
+                                           TestDevice{"osmesa", gl::Dispatch::compute}),   \
+                           device_name)
 
 inline glm::vec4 pixel(const Image& image, int x = 0, int y = 0) {
   const float* p = image.at(x, y);

@@ -67,7 +67,7 @@ TEST_P(ShaderErrors, ARewrittenTextThatIsRefusedIsReplacedWithOneWarning) {
     broken.body += "\nfloat broken = ;\n";
     return std::vector{broken, pass.source};
   };
-  const auto player = gl::GlPlayer::create(gl::open_context(GetParam().name), project, options);
+  const auto player = gl::make_player(gl::open_context(GetParam().name), project, options);
   ASSERT_EQ(player->warnings().size(), 1U);
   EXPECT_EQ(player->warnings()[0].rfind("b: warning: runs as written", 0), 0U) << player->warnings()[0];
   EXPECT_NE(player->warnings()[0].find("the driver refuses the rewritten text: "), std::string::npos);
@@ -76,7 +76,7 @@ TEST_P(ShaderErrors, ARewrittenTextThatIsRefusedIsReplacedWithOneWarning) {
   player->render(clock.next());
   EXPECT_EQ(pixel(player->read(1)), glm::vec4(2));
   options.sources = [](const Project&, const Pass& pass) { return std::vector{pass.source}; };
-  EXPECT_EQ(gl::GlPlayer::create(gl::open_context(GetParam().name), project, options)->warnings().size(), 1U)
+  EXPECT_EQ(gl::make_player(gl::open_context(GetParam().name), project, options)->warnings().size(), 1U)
       << "a text that could not be rewritten";
 }
 

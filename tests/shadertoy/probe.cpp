@@ -7,10 +7,10 @@
 #include <fstream>
 
 #include "host/base/error.h"
-#include "host/gl/gl_player.h"
+#include "host/gl/gl_device.h"
 #include "host/player/fixed_clock.h"
 #include "host/text/load.h"
-#include "reference/twin/twin_player.h"
+#include "reference/twin/twin_device.h"
 #include "tests/scratch_folder.h"
 
 namespace shadertwin {
@@ -106,13 +106,13 @@ Table run(const Backend& backend, const Probe& probe, std::size_t cases, const f
 
 const std::vector<Backend>& backends() {
   static const std::vector<Backend> all = {
-      {"gl", [](const Project& project) { return gl::GlPlayer::create(gl::open_context("auto"), project); }},
-      {"cpu", [](const Project& project) { return twin::TwinPlayer::create(project); }},
+      {"gl", [](const Project& project) { return gl::make_player(gl::open_context("auto"), project); }},
+      {"cpu", [](const Project& project) { return twin::make_player(project); }},
       {"cpu_double",
        [](const Project& project) {
          twin::TwinOptions options;
          options.double_precision = true;
-         return twin::TwinPlayer::create(project, options);
+         return twin::make_player(project, options);
        }},
   };
   return all;

@@ -5,10 +5,10 @@
 #include <functional>
 #include <memory>
 
-#include "host/gl/gl_player.h"
+#include "host/gl/gl_device.h"
 #include "host/player/fixed_clock.h"
 #include "host/text/pipeline.h"
-#include "reference/twin/twin_player.h"
+#include "reference/twin/twin_device.h"
 
 namespace shadertwin {
 namespace {
@@ -31,15 +31,15 @@ std::unique_ptr<Player> open_gl(const std::string& device, const Project& projec
   const auto first = [](const Project& p, const Pass& pass) {
     return std::vector{driver_sources(p, pass).front()};
   };
-  return gl::GlPlayer::create(gl::open_context(device), project,
-                              {.dispatch = gl::Dispatch::fragment, .sources = first});
+  return gl::make_player(gl::open_context(device), project,
+                         {.dispatch = gl::Dispatch::fragment, .sources = first});
 }
 
 std::vector<Runner> runners(const Project& project, const AgreementOptions& options, Silent& silent) {
   std::vector<Runner> list = {{"llvmpipe", [&] { return open_gl("llvmpipe", project); }}};
   if (options.osmesa) list.push_back({"osmesa", [&] { return open_gl("osmesa", project); }});
   const auto twin = [&](const std::string& name, const twin::TwinOptions& how) {
-    list.push_back({name, [&project, how] { return twin::TwinPlayer::create(project, how); }});
+    list.push_back({name, [&project, how] { return twin::make_player(project, how); }});
   };
   if (options.packets) twin("cpu", {});
   if (options.single) {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "host/gl/gl_player.h"
-#include "reference/twin/twin_player.h"
+#include "host/gl/gl_device.h"
+#include "reference/twin/twin_device.h"
 #include "tests/scratch_folder.h"
 
 namespace shadertwin {
@@ -22,11 +22,11 @@ class OnEveryPlayer : public testing::TestWithParam<std::string> {
     if (name.starts_with("cpu")) {
       twin::TwinOptions options;
       options.double_precision = name == "cpu/double";
-      return twin::TwinPlayer::create(project, options);
+      return twin::make_player(project, options);
     }
     gl::PlayerOptions options;
     options.dispatch = name.ends_with("compute") ? gl::Dispatch::compute : gl::Dispatch::fragment;
-    return gl::GlPlayer::create(gl::open_context(name.substr(0, name.find('/'))), project, options);
+    return gl::make_player(gl::open_context(name.substr(0, name.find('/'))), project, options);
   }
 
   static Frame frame(int index, int width = 4, int height = 3) {

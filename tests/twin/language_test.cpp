@@ -7,10 +7,10 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "host/gl/gl_player.h"
+#include "host/gl/gl_device.h"
 #include "host/player/fixed_clock.h"
 #include "host/text/load.h"
-#include "reference/twin/twin_player.h"
+#include "reference/twin/twin_device.h"
 
 namespace shadertwin {
 namespace {
@@ -56,9 +56,9 @@ void expect_same(const Image& twin, const Image& gl, float relative) {
 class Language : public testing::TestWithParam<fs::path> {};
 
 void expect_same_frames(const Project& project, float relative) {
-  const auto twin = twin::TwinPlayer::create(project);
+  const auto twin = twin::make_player(project);
   const auto gl =
-      gl::GlPlayer::create(gl::open_context("llvmpipe"), project, {.dispatch = gl::Dispatch::fragment});
+      gl::make_player(gl::open_context("llvmpipe"), project, {.dispatch = gl::Dispatch::fragment});
   Schedule schedule;
   schedule.width = 17;
   schedule.height = 9;
@@ -84,8 +84,8 @@ TEST(Packets, GiveTheBitsOfSinglePixels) {
         load_project(fs::path(SHADERTWIN_SOURCE_DIR) / "tests/emit/shaders" / (name + std::string(".glsl")));
     twin::TwinOptions single;
     single.packets = false;
-    const auto one = twin::TwinPlayer::create(project, single);
-    const auto packets = twin::TwinPlayer::create(project);
+    const auto one = twin::make_player(project, single);
+    const auto packets = twin::make_player(project);
     Schedule schedule;
     schedule.width = 17;
     schedule.height = 9;

@@ -1,10 +1,10 @@
 // What --vscode-quirks changes between the passes of a project, on OpenGL and on the twin.
 #include <gtest/gtest.h>
 
-#include "host/gl/gl_player.h"
+#include "host/gl/gl_device.h"
 #include "host/player/fixed_clock.h"
 #include "host/text/load.h"
-#include "reference/twin/twin_player.h"
+#include "reference/twin/twin_device.h"
 #include "tests/scratch_folder.h"
 
 namespace shadertwin {
@@ -18,9 +18,9 @@ class Quirks : public testing::TestWithParam<std::string> {
     return load_project(folder / shader, options);
   }
   static std::unique_ptr<Player> play(const Project& project) {
-    if (GetParam() == "cpu") return twin::TwinPlayer::create(project);
+    if (GetParam() == "cpu") return twin::make_player(project);
     const auto dispatch = GetParam() == "compute" ? gl::Dispatch::compute : gl::Dispatch::fragment;
-    return gl::GlPlayer::create(gl::open_context("llvmpipe"), project, {dispatch});
+    return gl::make_player(gl::open_context("llvmpipe"), project, {dispatch});
   }
   static std::vector<float> texels(const Image& image, int count, int channel) {
     std::vector<float> values;

@@ -1,4 +1,4 @@
-// Plays a project on the CPU, as C++ compiled from its own GLSL.
+// Runs a project's passes on the CPU, as C++ compiled from its own GLSL.
 #pragma once
 
 #include <memory>
@@ -16,8 +16,8 @@ struct Rectangle {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-// One pixel of one pass in one frame.
-struct Moment {
+// Where a debugger stops: one pixel of one pass in one frame.
+struct Breakpoint {
   int pass = 0;
   int frame = 0;
   int x = 0, y = 0;
@@ -43,29 +43,16 @@ struct TwinOptions {
   bool packets = true;
   // For a debugger: that pass is compiled with -O0 -g and drawn by one thread, and shadertwin_debug_stop() is
   // called before the pixel, which is then drawn alone.
-  std::optional<Moment> stop_at;
+  std::optional<Breakpoint> stop_at;
   std::optional<Rectangle> region;  // of the last pass; what lies outside is left zero
   double timeout = 0;               // seconds for one frame; 0: none
   Observer* observer = nullptr;     // if given, the twin checks what it does and tells
 };
 
-// float32 RGBA like Image, in double.
-struct DoubleImage {
-  int width = 0;
-  int height = 0;
-  std::vector<double> rgba;
-};
-
-class TwinPlayer : public Player {
- public:
-  // Translates and compiles every pass, or takes it from the cache, and loads every input. Throws
-  // Error(shader), Error(file), or Error(device) if there is no C++ compiler. render() throws Error(failed)
-  // on a timeout.
-  static std::unique_ptr<TwinPlayer> create(const Project& project, const TwinOptions& options = {});
-
-  // What pass `pass` drew last, before it was rounded to float32.
-  virtual DoubleImage read_double(int pass) = 0;
-};
+// Translates and compiles every pass, or takes it from the cache, and loads every input. Throws
+// Error(shader), Error(file), or Error(device) if there is no C++ compiler. Player::render() throws
+// Error(failed) on a timeout.
+std::unique_ptr<Player> make_player(const Project& project, const TwinOptions& options = {});
 
 }  // namespace shadertwin::twin
 

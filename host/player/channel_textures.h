@@ -1,0 +1,53 @@
+// The textures behind those channels that don't read a pass: files, the keyboard, what moves by itself.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host/player/device.h"
+#include "host/player/moving_input.h"
+#include "host/project/host_rules.h"
+#include "host/project/kinds.h"
+
+namespace shadertwin {
+
+struct ChannelTexture {
+  TextureId texture{};
+  glm::vec3 size{0.0F};                 // iChannelResolution
+  const MovingInput* moving = nullptr;  // what iChannelTime is of
+};
+
+class ChannelTextures {
+ public:
+  // `device` must outlive this.
+  explicit ChannelTextures(Device& device)
+      : device_(device), project_(device.project()), rules_(host_rules(project_)), moving_inputs_(project_) {}
+
+  // Loads what is bound to a channel, any kind of input but a pass; each file goes to the device once. Throws
+  // Error(file).
+  ChannelTexture load(const Input& input);
+  // 256 texels wide, as high as the dialect has rows.
+  ChannelTexture keyboard();
+  // Brings the keyboard and what moves to the frame.
+  void update(const Frame& frame);
+  const std::vector<std::string>& warnings() const { return moving_inputs_.warnings(); }
+
+ private:
+  ChannelTexture file(const Input& input);
+  ChannelTexture moving(const Input& input, const MovingInput& source);
+  TextureId empty(const Input& input);
+
+  Device& device_;
+  const Project& project_;
+  HostRules rules_;
+  MovingInputs moving_inputs_;
+  std::map<std::string, ChannelTexture> files_;
+  std::map<std::pair<const MovingInput*, bool>, TextureId> moving_;  // with and without mipmaps
+  std::map<std::pair<SamplerShape, std::byte>, TextureId> empty_;    // by shape and alpha
+  std::optional<TextureId> keyboard_;
+};
+
+}  // namespace shadertwin

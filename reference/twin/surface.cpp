@@ -1,0 +1,73 @@
+#include "reference/twin/surface.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace shadertwin::twin {
+
+namespace {
+
+// Rows of `values` numbers a pixel in a picture of another size, zero where there were none.
+template <class T>
+std::vector<T> resized(const std::vector<T>& old, glm::ivec2 old_size, glm::ivec2 size, int faces,
+                       std::size_t values, bool keep) {
+  std::vector<T> fresh(values * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+                       static_cast<std::size_t>(faces));
+  const glm::ivec2 common = keep ? glm::min(size, old_size) : glm::ivec2(0);
+  for (int y = 0; y < common.y; ++y)
+    std::copy_n(old.begin() + static_cast<std::ptrdiff_t>(values) * old_size.x * y,
+                values * static_cast<std::size_t>(common.x),
+                fresh.begin() + static_cast<std::ptrdiff_t>(values) * size.x * y);
+  return fresh;
+}
+
+}  // namespace
+
+Surface::Surface(Texture texels, bool mipmaps) : texture_(std::move(texels)), mipmaps_(mipmaps) {
+  finish_drawing();
+}
+
+Surface::Surface(int faces, bool mipmaps, bool doubles) : has_doubles_(doubles), mipmaps_(mipmaps) {
+  texture_.format = Texture::Format::rgba32f;
+  texture_.faces = faces;
+}
+
+void Surface::upload(const Texture& texels) {
+  texture_ = texels;
+  finish_drawing();
+}
+
+void Surface::resize(glm::ivec2 size, bool keep) {
+  texture_.data = resized(texture_.data, this->size(), size, faces(), texture_.texel_bytes(), keep);
+  if (has_doubles_) doubles_ = resized(doubles_, this->size(), size, faces(), 4, keep);
+  texture_.width = size.x;
+  texture_.height = size.y;
+  finish_drawing();
+}
+
+void Surface::clear() {
+  if (texture_.width == 0) return;
+  std::fill(texture_.data.begin(), texture_.data.end(), std::byte{0});
+  std::fill(doubles_.begin(), doubles_.end(), 0.0);
+  finish_drawing();
+}
+
+void* Surface::pixels(std::size_t pixel) {
+  if (has_doubles_) return doubles_.data() + 4 * pixel;
+  return texture_.data.data() + texture_.texel_bytes() * pixel;
+}
+
+void Surface::finish_drawing() {
+  auto* floats = reinterpret_cast<float*>(texture_.data.data());
+  std::transform(doubles_.begin(), doubles_.end(), floats, [](double v) { return static_cast<float>(v); });
+  image_ = std::make_unique<glsl::TextureImage>(texture_, mipmaps_);
+}
+
+Image Surface::read() const {
+  Image image(texture_.width, texture_.height * texture_.faces);
+  if (!texture_.data.empty()) std::memcpy(image.rgba.data(), texture_.data.data(), texture_.data.size());
+  return image;
+}
+
+}  // namespace shadertwin::twin
