@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "host/base/error.h"
+#include "host/language/nesting.h"
 #include "host/language/preprocessor.h"
 #include "host/language/tokens.h"
 #include "host/text/legacy_names.h"
@@ -76,6 +77,8 @@ void resolve_macros(const Project& project, PassSource& source, Stage stage) {
       plain = preprocess(source.body, options);
     }
   }
+  if (plain.errors.empty())
+    if (auto refusal = nested_too_deeply(plain.tokens)) plain.errors.push_back(*std::move(refusal));
   source.refused = refusals(project, source, plain);
   source.written = std::exchange(source.body, to_text(plain, lines));
 }
