@@ -1,7 +1,10 @@
 #include "reference/emit/emit_cpp.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cstdio>
+#include <cstring>
 #include <map>
 #include <optional>
 #include <set>
@@ -37,7 +40,7 @@ class CppText {
     } else if (expected_.file >= 0) {
       // Back to this file: two lines on, because #line names the line behind itself.
       const auto lines = std::count(text_.begin(), text_.end(), '\n');
-      text_ += "#line " + std::to_string(lines + 2) + " \"" + own_name_ + "\"\n";
+      text_ += "#line " + std::to_string(lines + 2) + " \"" + escaped(own_name_) + "\"\n";
       expected_ = {};
     }
     text_ += std::string(static_cast<std::size_t>(line.depth) * 2, ' ') + line.written() + '\n';
@@ -46,11 +49,20 @@ class CppText {
   std::string take() { return std::move(text_); }
 
  private:
+  // A name may hold anything: whatever is not plain is written as an octal escape, so that it can end
+  // neither the string nor the line, nor begin a trigraph.
   static std::string escaped(const std::string& name) {
     std::string text;
     for (const char c : name) {
-      if (c == '"' || c == '\\') text += '\\';
-      text += c;
+      const auto byte = static_cast<unsigned char>(c);
+      const bool plain = byte >= 0x80 || std::isalnum(byte) != 0 || std::strchr(" -_./+,:~@", c) != nullptr;
+      if (plain && c != '\0') {
+        text += c;
+        continue;
+      }
+      std::array<char, 5> octal{};
+      std::snprintf(octal.data(), octal.size(), "\\%03o", byte);
+      text += octal.data();
     }
     return text;
   }

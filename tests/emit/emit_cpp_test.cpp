@@ -38,6 +38,19 @@ TEST(EmitCpp, EveryStatementNamesTheUsersLine) {
   EXPECT_EQ(shown.rfind("  Float f(Float x) {\n    Float y = x;\n#line 5 ", 0), 0U) << text;
 }
 
+// A name that ends its line or its quotes could hold directives of its own.
+TEST(EmitCpp, NamesOfFilesStayInsideTheirQuotes) {
+  const ScratchFolder folder;
+  Project project = load_project(
+      folder.write("shader.glsl", "void mainImage(out vec4 c, in vec2 p) {\n  c = p.xyxy;\n}\n"));
+  project.files[0] = "a\n#error planted\r\n\"\\\t\x01??/.glsl";
+  const std::string text = emit_cpp(project, project.passes.back());
+  EXPECT_EQ(text.find("\n#error"), std::string::npos);
+  EXPECT_NE(text.find("#line 2 \"a\\012\\043error planted\\015\\012\\042\\134\\011\\001\\077\\077/.glsl\"\n"),
+            std::string::npos)
+      << text;
+}
+
 TEST(EmitCpp, ConstructorAsAStatementDeclaresNothing) {
   const std::string text =
       emitted("float f(float a) { vec2(a); for (; a < 2.0; vec3(a), a++) {} return a; }");
