@@ -1,7 +1,7 @@
 // GLSL's built-in functions and operators for packets, each the scalar function's operations in eight lanes.
 #pragma once
 
-#include "reference/glsl/packet.h"
+#include "reference/glsl/packet_values.h"
 
 namespace shadertwin::glsl::packet {
 
