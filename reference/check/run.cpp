@@ -17,25 +17,14 @@ using glsl::Check;
 
 std::string kind_name(Check kind) {
   switch (kind) {
-    case Check::nan_born:
+    case Check::first_nan:
       return "nan";
-    case Check::infinity_born:
+    case Check::first_infinity:
       return "inf";
     case Check::loop_beyond_cap:
       return "loop";
     default:
       return "undefined";
-  }
-}
-
-std::string what(Check kind) {
-  switch (kind) {
-    case Check::nan_born:
-      return "NaN first appears";
-    case Check::infinity_born:
-      return "infinity first appears";
-    default:
-      return glsl::describe(kind);
   }
 }
 
@@ -74,9 +63,9 @@ class Counter : public twin::Observer {
     for (const auto& [key, count] : counts_) {
       const auto [pass_index, file, line, kind] = key;
       const Pass& pass = project.passes[static_cast<std::size_t>(pass_index)];
-      findings.push_back(make_finding(
-          project, pass, {file, line}, kind_name(static_cast<Check>(kind)),
-          what(static_cast<Check>(kind)) + where(pass, count.pixels, count.x, count.y, count.frame)));
+      findings.push_back(make_finding(project, pass, {file, line}, kind_name(static_cast<Check>(kind)),
+                                      glsl::describe(static_cast<Check>(kind)) +
+                                          where(pass, count.pixels, count.x, count.y, count.frame)));
     }
     return findings;
   }
@@ -145,10 +134,10 @@ std::vector<Finding> name_lines(const Project& project, const RunOptions& option
                            where(pass, unsteady.pixels, first.x, first.y, unsteady.frame);
   std::vector<Finding> findings;
   for (std::size_t i = 0; i < unsteady.samples.size(); ++i) {
-    const Parting parting = part(zero[i], pattern[i]);
+    const Difference difference = first_difference(zero[i], pattern[i]);
     // A texture that differs is another pass's finding.
-    if (parting.from_texture) continue;
-    findings.push_back(make_finding(project, pass, parting.at, "uninitialised", text));
+    if (difference.from_texture) continue;
+    findings.push_back(make_finding(project, pass, difference.at, "uninitialised", text));
   }
   return findings;
 }

@@ -35,7 +35,7 @@ void Tracer::value(int x, int y, SourceLine at, const void* bytes, std::size_t s
       {at, !is_statement && at.line == 0 && at.file < 0, is_statement ? 0 : hash_of(bytes, size)});
 }
 
-Parting part(const std::vector<Step>& a, const std::vector<Step>& b) {
+Difference first_difference(const std::vector<Step>& a, const std::vector<Step>& b) {
   const std::size_t common = std::min(a.size(), b.size());
   SourceLine last;
   for (std::size_t i = 0; i < common; ++i) {

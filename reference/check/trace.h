@@ -1,4 +1,4 @@
-// What single pixels compute, statement by statement, and where two runs of them part.
+// What single pixels compute, statement by statement, and where two runs of them first differ.
 #pragma once
 
 #include <cstdint>
@@ -47,10 +47,10 @@ class Tracer : public twin::Observer {
 };
 
 // The line of the first step that differs: its value does, or what was decided just before it.
-struct Parting {
+struct Difference {
   SourceLine at;
   bool from_texture = false;
 };
-Parting part(const std::vector<Step>& a, const std::vector<Step>& b);
+Difference first_difference(const std::vector<Step>& a, const std::vector<Step>& b);
 
 }  // namespace shadertwin::check

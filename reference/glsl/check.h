@@ -26,8 +26,8 @@ enum class Check : int {
   index_out_of_bounds,
   conversion_out_of_range,  // float to int or uint
   inverse_of_singular,
-  nan_born,       // a NaN from operands that are none
-  infinity_born,  // an infinity from finite operands
+  first_nan,
+  first_infinity,
   loop_beyond_cap,
   count
 };
@@ -77,10 +77,10 @@ constexpr const char* describe(Check kind) {
       return "float that the integer type can't hold";
     case Check::inverse_of_singular:
       return "inverse() of a singular matrix";
-    case Check::nan_born:
-      return "NaN from operands that are numbers";
-    case Check::infinity_born:
-      return "infinity from finite operands";
+    case Check::first_nan:
+      return "NaN first appears";
+    case Check::first_infinity:
+      return "infinity first appears";
     case Check::loop_beyond_cap:
       return "loops of more than 65534 rounds in all: llvmpipe stops them there";
     case Check::count:

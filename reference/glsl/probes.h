@@ -1,5 +1,5 @@
-// What emitted code says more where a shader is checked: operations that C++ writes as operators, and results
-// that are no numbers although their operands were.
+// What emitted code says more where a shader is checked: operations that C++ writes as operators, and values
+// that are no numbers.
 #pragma once
 
 #include "reference/glsl/builtins.h"
@@ -35,18 +35,6 @@ SHADERTWIN_INLINE bool has_infinity(const T& x) {
 }
 
 }  // namespace detail
-
-// `result`, which was computed from `operands`: reports a NaN if no operand holds one, and an infinity if
-// every operand is finite. Any scalars, vectors and matrices.
-template <class Result, class... Operands>
-SHADERTWIN_INLINE Result born([[maybe_unused]] const Result& result,
-                              [[maybe_unused]] const Operands&... operands) {
-  SHADERTWIN_PROBE(detail::has_nan(result) && !(detail::has_nan(operands) || ...), nan_born);
-  SHADERTWIN_PROBE(
-      detail::has_infinity(result) && !((detail::has_infinity(operands) || detail::has_nan(operands)) || ...),
-      infinity_born);
-  return result;
-}
 
 // a / b of floats: reports each division by zero.
 template <class A, class B>

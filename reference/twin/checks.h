@@ -4,7 +4,9 @@
 // shader's.
 #pragma once
 
+#ifdef SHADERTWIN_CHECK
 #include <vector>
+#endif
 
 #include "reference/glsl/probes.h"
 #include "reference/twin/abi.h"
@@ -68,11 +70,11 @@ class Checks {
     if constexpr (is_float__<T>) {
       if (!has_nan__ && glsl::detail::has_nan(value)) [[unlikely]] {
         has_nan__ = true;
-        note__(glsl::Check::nan_born);
+        note__(glsl::Check::first_nan);
       }
       if (!has_infinity__ && glsl::detail::has_infinity(value)) [[unlikely]] {
         has_infinity__ = true;
-        note__(glsl::Check::infinity_born);
+        note__(glsl::Check::first_infinity);
       }
     }
   }
