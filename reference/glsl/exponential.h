@@ -56,7 +56,7 @@ SHADERTWIN_INLINE F exp_of(F x) {
 
 // The exponent plus log2 of the mantissa m in [1, 2), as a polynomial of ((m - 1) / (m + 1))^2.
 template <class F>
-inline F binary_logarithm(F x) {
+inline std::same_as<F> auto binary_logarithm(F x) {
   if constexpr (uses_libm<F>) {
     return std::log2(x);
   } else {
@@ -78,7 +78,7 @@ inline F binary_logarithm(F x) {
 }
 
 template <class F>
-SHADERTWIN_INLINE F natural_logarithm(F x) {
+SHADERTWIN_INLINE std::same_as<F> auto natural_logarithm(F x) {
   if constexpr (uses_libm<F>)
     return std::log(x);
   else

@@ -6,23 +6,24 @@
 namespace shadertwin::glsl::inline SHADERTWIN_PRECISION::detail {
 
 template <class F>
-SHADERTWIN_INLINE F dot_of(F a, F b) {
+SHADERTWIN_INLINE std::same_as<F> auto dot_of(F a, F b) {
   return a * b;
 }
 template <class F>
-SHADERTWIN_INLINE F dot_of(const glm::vec<2, F>& a, const glm::vec<2, F>& b) {
+SHADERTWIN_INLINE std::same_as<F> auto dot_of(const glm::vec<2, F>& a, const glm::vec<2, F>& b) {
   return a.x * b.x + a.y * b.y;
 }
 template <class F>
-SHADERTWIN_INLINE F dot_of(const glm::vec<3, F>& a, const glm::vec<3, F>& b) {
+SHADERTWIN_INLINE std::same_as<F> auto dot_of(const glm::vec<3, F>& a, const glm::vec<3, F>& b) {
   return a.x * b.x + (a.y * b.y + a.z * b.z);
 }
 template <class F>
-SHADERTWIN_INLINE F dot_of(const glm::vec<4, F>& a, const glm::vec<4, F>& b) {
+SHADERTWIN_INLINE std::same_as<F> auto dot_of(const glm::vec<4, F>& a, const glm::vec<4, F>& b) {
   return a.x * b.x + (a.y * b.y + (a.z * b.z + a.w * b.w));
 }
 template <class F>
-SHADERTWIN_INLINE glm::vec<3, F> cross_of(const glm::vec<3, F>& a, const glm::vec<3, F>& b) {
+SHADERTWIN_INLINE std::same_as<glm::vec<3, F>> auto cross_of(const glm::vec<3, F>& a,
+                                                             const glm::vec<3, F>& b) {
   return glm::vec<3, F>(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 
@@ -32,11 +33,11 @@ SHADERTWIN_INLINE auto length_of(const V& v) {
   return root(dot_of(v, v));
 }
 template <class F>
-SHADERTWIN_INLINE F distance_of(F a, F b) {
+SHADERTWIN_INLINE std::same_as<F> auto distance_of(F a, F b) {
   return magnitude_of(a - b);
 }
 template <int N, class F>
-SHADERTWIN_INLINE F distance_of(const glm::vec<N, F>& a, const glm::vec<N, F>& b) {
+SHADERTWIN_INLINE std::same_as<F> auto distance_of(const glm::vec<N, F>& a, const glm::vec<N, F>& b) {
   return length_of(a - b);
 }
 template <class F>
@@ -64,15 +65,16 @@ SHADERTWIN_INLINE glm::vec<N, F> faceforward_of(const glm::vec<N, F>& n, const g
   return result;
 }
 template <class F>
-SHADERTWIN_INLINE F reflect_of(F incident, F n) {
+SHADERTWIN_INLINE std::same_as<F> auto reflect_of(F incident, F n) {
   return incident - 2.0F * (n * incident * n);
 }
 template <int N, class F>
-SHADERTWIN_INLINE glm::vec<N, F> reflect_of(const glm::vec<N, F>& incident, const glm::vec<N, F>& n) {
+SHADERTWIN_INLINE std::same_as<glm::vec<N, F>> auto reflect_of(const glm::vec<N, F>& incident,
+                                                               const glm::vec<N, F>& n) {
   return incident - (2.0F * dot_of(n, incident)) * n;
 }
 template <class V, class F>
-SHADERTWIN_INLINE V refract_of(const V& incident, const V& n, F eta) {
+SHADERTWIN_INLINE std::same_as<V> auto refract_of(const V& incident, const V& n, F eta) {
   const F d = dot_of(n, incident);
   const F k = 1.0F - eta * (eta * (1.0F - d * d));
   return select__(k < 0.0F, V(constant<F>(0)), eta * incident - (eta * d + root(k)) * n);

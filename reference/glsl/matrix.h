@@ -9,21 +9,24 @@ namespace shadertwin::glsl::inline SHADERTWIN_PRECISION::detail {
 // --- Products ---------------------------------------------------------------
 
 template <int C, int R, class T>
-SHADERTWIN_INLINE glm::vec<R, T> columns_times(const glm::mat<C, R, T>& m, const glm::vec<C, T>& v) {
+SHADERTWIN_INLINE std::same_as<glm::vec<R, T>> auto columns_times(const glm::mat<C, R, T>& m,
+                                                                  const glm::vec<C, T>& v) {
   glm::vec<R, T> sum = m[0] * v[0];
   for (int c = 1; c < C; ++c) sum = sum + m[c] * v[c];
   return sum;
 }
 
 template <int C, int R, class T>
-SHADERTWIN_INLINE glm::vec<C, T> row_times(const glm::vec<R, T>& v, const glm::mat<C, R, T>& m) {
+SHADERTWIN_INLINE std::same_as<glm::vec<C, T>> auto row_times(const glm::vec<R, T>& v,
+                                                              const glm::mat<C, R, T>& m) {
   glm::vec<C, T> result;
   for (int c = 0; c < C; ++c) result[c] = dot_of(v, m[c]);
   return result;
 }
 
 template <int N, int C, int R, class T>
-SHADERTWIN_INLINE glm::mat<C, R, T> matrix_times(const glm::mat<N, R, T>& a, const glm::mat<C, N, T>& b) {
+SHADERTWIN_INLINE std::same_as<glm::mat<C, R, T>> auto matrix_times(const glm::mat<N, R, T>& a,
+                                                                    const glm::mat<C, N, T>& b) {
   glm::mat<C, R, T> result;
   for (int c = 0; c < C; ++c) result[c] = columns_times(a, b[c]);
   return result;
@@ -33,21 +36,21 @@ SHADERTWIN_INLINE glm::mat<C, R, T> matrix_times(const glm::mat<N, R, T>& a, con
 
 // As everywhere else in GLSL; GLM divides square matrices by the inverse.
 template <int C, int R, class T>
-SHADERTWIN_INLINE glm::mat<C, R, T> matrixCompMult_of(const glm::mat<C, R, T>& a,
-                                                      const glm::mat<C, R, T>& b) {
+SHADERTWIN_INLINE std::same_as<glm::mat<C, R, T>> auto matrixCompMult_of(const glm::mat<C, R, T>& a,
+                                                                         const glm::mat<C, R, T>& b) {
   glm::mat<C, R, T> result;
   for (int c = 0; c < C; ++c) result[c] = a[c] * b[c];
   return result;
 }
 template <int C, int R, class T>
-SHADERTWIN_INLINE glm::mat<C, R, T> component_quotient(const glm::mat<C, R, T>& a,
-                                                       const glm::mat<C, R, T>& b) {
+SHADERTWIN_INLINE std::same_as<glm::mat<C, R, T>> auto component_quotient(const glm::mat<C, R, T>& a,
+                                                                          const glm::mat<C, R, T>& b) {
   glm::mat<C, R, T> result;
   for (int c = 0; c < C; ++c) result[c] = a[c] / b[c];
   return result;
 }
 template <int C, int R, class T>
-SHADERTWIN_INLINE glm::mat<R, C, T> transpose_of(const glm::mat<C, R, T>& m) {
+SHADERTWIN_INLINE std::same_as<glm::mat<R, C, T>> auto transpose_of(const glm::mat<C, R, T>& m) {
   glm::mat<R, C, T> result;
   for (int c = 0; c < C; ++c) {
     for (int r = 0; r < R; ++r) result[r][c] = m[c][r];
@@ -55,7 +58,8 @@ SHADERTWIN_INLINE glm::mat<R, C, T> transpose_of(const glm::mat<C, R, T>& m) {
   return result;
 }
 template <int C, int R, class T>
-SHADERTWIN_INLINE glm::mat<C, R, T> outerProduct_of(const glm::vec<R, T>& column, const glm::vec<C, T>& row) {
+SHADERTWIN_INLINE std::same_as<glm::mat<C, R, T>> auto outerProduct_of(const glm::vec<R, T>& column,
+                                                                       const glm::vec<C, T>& row) {
   glm::mat<C, R, T> result;
   for (int c = 0; c < C; ++c) result[c] = column * row[c];
   return result;
@@ -65,13 +69,13 @@ SHADERTWIN_INLINE glm::mat<C, R, T> outerProduct_of(const glm::vec<R, T>& column
 
 // The minor of rows r, s in columns a, b.
 template <int N, class T>
-SHADERTWIN_INLINE T minor(const glm::mat<N, N, T>& m, int a, int b, int r, int s) {
+SHADERTWIN_INLINE std::same_as<T> auto minor(const glm::mat<N, N, T>& m, int a, int b, int r, int s) {
   return m[a][r] * m[b][s] - m[b][r] * m[a][s];
 }
 
 // The cofactors by which column 0 of the inverse's adjugate is scaled: also the expansion of the determinant.
 template <class T>
-SHADERTWIN_INLINE glm::vec<4, T> first_cofactors(const glm::mat<4, 4, T>& m) {
+SHADERTWIN_INLINE std::same_as<glm::vec<4, T>> auto first_cofactors(const glm::mat<4, 4, T>& m) {
   const T s0 = minor(m, 2, 3, 2, 3);
   const T s1 = minor(m, 2, 3, 1, 3);
   const T s2 = minor(m, 2, 3, 1, 2);
@@ -84,23 +88,23 @@ SHADERTWIN_INLINE glm::vec<4, T> first_cofactors(const glm::mat<4, 4, T>& m) {
 }
 
 template <class T>
-SHADERTWIN_INLINE T determinant_of(const glm::mat<2, 2, T>& m) {
+SHADERTWIN_INLINE std::same_as<T> auto determinant_of(const glm::mat<2, 2, T>& m) {
   return m[0][0] * m[1][1] - m[1][0] * m[0][1];
 }
 template <class T>
-SHADERTWIN_INLINE T determinant_of(const glm::mat<3, 3, T>& m) {
+SHADERTWIN_INLINE std::same_as<T> auto determinant_of(const glm::mat<3, 3, T>& m) {
   const T f1 = m[1][1] * m[2][2] - m[1][2] * m[2][1];
   const T f2 = m[1][0] * m[2][2] - m[1][2] * m[2][0];
   const T f3 = m[1][0] * m[2][1] - m[1][1] * m[2][0];
   return m[0][0] * f1 - m[0][1] * f2 + m[0][2] * f3;
 }
 template <class T>
-SHADERTWIN_INLINE T determinant_of(const glm::mat<4, 4, T>& m) {
+SHADERTWIN_INLINE std::same_as<T> auto determinant_of(const glm::mat<4, 4, T>& m) {
   return dot_of(m[0], first_cofactors(m));
 }
 
 template <class T>
-inline glm::mat<2, 2, T> inverse_unchecked(const glm::mat<2, 2, T>& m) {
+inline std::same_as<glm::mat<2, 2, T>> auto inverse_unchecked(const glm::mat<2, 2, T>& m) {
   const T det = determinant_of(m);
   glm::mat<2, 2, T> result;
   result[0] = glm::vec<2, T>(m[1][1] / det, -m[0][1] / det);
@@ -109,7 +113,7 @@ inline glm::mat<2, 2, T> inverse_unchecked(const glm::mat<2, 2, T>& m) {
 }
 
 template <class T>
-inline glm::mat<3, 3, T> inverse_unchecked(const glm::mat<3, 3, T>& m) {
+inline std::same_as<glm::mat<3, 3, T>> auto inverse_unchecked(const glm::mat<3, 3, T>& m) {
   const T f0 = minor(m, 1, 2, 1, 2);
   const T f1 = minor(m, 1, 2, 0, 2);
   const T f2 = minor(m, 1, 2, 0, 1);
@@ -122,7 +126,7 @@ inline glm::mat<3, 3, T> inverse_unchecked(const glm::mat<3, 3, T>& m) {
 }
 
 template <class T>
-inline glm::mat<4, 4, T> inverse_unchecked(const glm::mat<4, 4, T>& m) {
+inline std::same_as<glm::mat<4, 4, T>> auto inverse_unchecked(const glm::mat<4, 4, T>& m) {
   using V = glm::vec<4, T>;
   const V first = first_cofactors(m);
   const T det = dot_of(m[0], first);
@@ -149,7 +153,7 @@ inline glm::mat<4, 4, T> inverse_unchecked(const glm::mat<4, 4, T>& m) {
 }
 
 template <int N, class T>
-inline glm::mat<N, N, T> inverse_of(const glm::mat<N, N, T>& m) {
+inline std::same_as<glm::mat<N, N, T>> auto inverse_of(const glm::mat<N, N, T>& m) {
   SHADERTWIN_PROBE(determinant_of(m) == 0.0F, inverse_of_singular);
   return inverse_unchecked(m);
 }

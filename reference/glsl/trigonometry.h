@@ -25,7 +25,7 @@ SHADERTWIN_INLINE F degrees_of(F radians) {
 
 // Cephes' sinf and cosf: reduction by multiples of pi/4 in three steps, a polynomial for each half octant.
 template <bool cosine, class F>
-inline F sine_or_cosine(F a) {
+inline std::same_as<F> auto sine_or_cosine(F a) {
   const F magnitude = magnitude_of(a);
   const Unsigned<F> octant = std::bit_cast<Unsigned<F>>(to_int(magnitude * 1.27323954473516F)) + 1U;
   const Unsigned<F> even_octant = octant & ~1U;
@@ -52,14 +52,14 @@ inline F sine_or_cosine(F a) {
 }
 
 template <class F>
-SHADERTWIN_INLINE F sin_of(F x) {
+SHADERTWIN_INLINE std::same_as<F> auto sin_of(F x) {
   if constexpr (uses_libm<F>)
     return std::sin(x);
   else
     return sine_or_cosine<false, F>(x);
 }
 template <class F>
-SHADERTWIN_INLINE F cos_of(F x) {
+SHADERTWIN_INLINE std::same_as<F> auto cos_of(F x) {
   if constexpr (uses_libm<F>)
     return std::cos(x);
   else
@@ -74,7 +74,7 @@ SHADERTWIN_INLINE F tan_of(F x) {
 }
 
 template <class F>
-SHADERTWIN_INLINE F asin_with(F x, float p0, float p1) {
+SHADERTWIN_INLINE std::same_as<F> auto asin_with(F x, float p0, float p1) {
   const F m = magnitude_of(x);
   const F p = constant<F>(half_pi) + m * ((0.785398163397448309616F - 1.0F) + m * (p0 + m * p1));
   return sign_of(x) * (constant<F>(half_pi) - root(1.0F - m) * p);

@@ -45,6 +45,9 @@
 #endif
 
 // Small enough that a call would cost more than the work.
+//
+// Functions of templates are `std::same_as<T> auto` instead of T where they take long to compile: to deduce
+// it, GCC makes them while it compiles the headers in advance, and not at the end of every twin.
 #define SHADERTWIN_INLINE [[gnu::always_inline]] inline
 // Long and rare. GCC 12 also stumbles (an internal error of its SLP pass) over atan2 inlined with constant
 // arguments.

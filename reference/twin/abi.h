@@ -1,7 +1,6 @@
 // What crosses the border between shadertwin and a compiled twin: plain data and C functions.
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 
 namespace shadertwin::twin {
@@ -70,9 +69,15 @@ struct Request {
   bool quads = false;            // run 2x2 pixels side by side
   RunQuad run_quad = nullptr;
   void* quad_runner = nullptr;
-  const CheckLog* log = nullptr;            // of a checking twin
-  const std::atomic<bool>* stop = nullptr;  // when set, the twin returns soon and leaves pixels undrawn
+  const CheckLog* log = nullptr;  // of a checking twin
+  const bool* stop = nullptr;     // when set, the twin returns soon and leaves pixels undrawn
 };
+
+// Of Request::stop, which another thread sets. <atomic> would double the time that compiling a twin's headers
+// takes.
+inline bool is_set(const bool& flag) {
+  return __atomic_load_n(&flag, __ATOMIC_RELAXED);
+}
 
 struct Description {
   int abi = abi_version;

@@ -1,11 +1,12 @@
 // The end of the time that a frame may take.
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
+
+#include "reference/twin/abi.h"
 
 namespace shadertwin::twin {
 
@@ -17,15 +18,15 @@ class Deadline {
     watch_ = std::jthread([this, seconds](const std::stop_token& finished) {
       std::unique_lock lock(mutex_);
       finished_.wait_for(lock, finished, std::chrono::duration<double>(seconds), [] { return false; });
-      if (!finished.stop_requested()) stop_ = true;
+      if (!finished.stop_requested()) __atomic_store_n(&stop_, true, __ATOMIC_RELAXED);
     });
   }
 
-  const std::atomic<bool>& stop() const { return stop_; }
-  bool passed() const { return stop_; }
+  const bool& stop() const { return stop_; }  // for is_set()
+  bool passed() const { return is_set(stop_); }
 
  private:
-  std::atomic<bool> stop_ = false;
+  bool stop_ = false;
   std::mutex mutex_;
   std::condition_variable_any finished_;
   std::jthread watch_;  // last, so that it ends first

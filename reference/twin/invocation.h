@@ -11,21 +11,41 @@
 
 namespace shadertwin::glsl {
 
-// Ends an invocation. Checking twins keep objects with destructors on the stack.
+// Ends an invocation.
 struct Stopped {};
 
-struct Invocation : twin::Checks {
+// What lets an invocation end from anywhere within: discard, or a loop that has to stop.
+struct Stoppable {
+  [[noreturn, gnu::cold, gnu::noinline]] static void stop_invocation__() { throw Stopped{}; }
+
+  void loop_guard__() {
+    if ((++rounds__ & 0xfffu) == 0 && twin::is_set(*stop__)) stop_invocation__();
+  }
+
+  const bool* stop__ = nullptr;
+  unsigned rounds__ = 0;
+};
+
+// Whether `run` came to its end.
+template <class Shader, class Run>
+bool completes(const Run& run) {
+  if constexpr (Shader::uses_stop__) {
+    try {
+      run();
+    } catch (const Stopped&) {
+      return false;
+    }
+  } else {
+    run();
+  }
+  return true;
+}
+
+struct Invocation : twin::Checks, Stoppable {
   vec4 gl_FragCoord{};
   bool gl_FrontFacing = true;
   vec2 gl_PointCoord{};
   Float gl_FragDepth{};
-
-  // Ends this pixel: discard, or a loop that has to stop.
-  [[noreturn, gnu::cold, gnu::noinline]] static void stop_invocation__() { throw Stopped{}; }
-
-  void loop_guard__() {
-    if ((++rounds__ & 0xfffu) == 0 && stop__->load(std::memory_order_relaxed)) stop_invocation__();
-  }
 
   // `place` tells the quad's pixels whether they have come to the same point of the shader.
   template <class T>
@@ -110,8 +130,6 @@ struct Invocation : twin::Checks {
     return quad;
   }
 
-  const std::atomic<bool>* stop__ = nullptr;
-  unsigned rounds__ = 0;
   twin::QuadExchange* quad__ = nullptr;
   int own_lane__ = 0;
 };
@@ -182,7 +200,7 @@ class PixelLoop {
     const int step = request_.quads ? 2 : 1;
     // Quads stand on even pixels, whatever the rectangle.
     for (int y = request_.y0 & ~(step - 1); y < request_.y1; y += step) {
-      if (request_.stop->load(std::memory_order_relaxed)) return;
+      if (twin::is_set(*request_.stop)) return;
       for (int x = request_.x0 & ~(step - 1); x < request_.x1; x += step) {
         x_ = x;
         y_ = y;
@@ -210,30 +228,15 @@ class PixelLoop {
 #ifdef SHADERTWIN_CHECK
     shader.start__(inside ? request_.log : nullptr, x, y);
 #endif
-    if (!draw(shader) || !inside) return;
+    const bool has_color = completes<Shader>([&] {
+      shader.initialise__();
+      shader.main();
+    });
+    if (!has_color || !inside) return;
     Float* pixel = static_cast<Float*>(request_.pixels) + (y - request_.y0) * request_.row_pitch +
                    std::ptrdiff_t{4} * (x - request_.x0);
     const vec4 color = output_(shader);
     for (int i = 0; i < 4; ++i) pixel[i] = color[i];
-  }
-
-  static void run(Shader& shader) {
-    shader.initialise__();
-    shader.main();
-  }
-
-  // Whether the pixel has a colour.
-  static bool draw(Shader& shader) {
-    if constexpr (Shader::uses_stop__) {
-      try {
-        run(shader);
-      } catch (const Stopped&) {
-        return false;
-      }
-    } else {
-      run(shader);
-    }
-    return true;
   }
 
 #ifdef SHADERTWIN_DOUBLE

@@ -3,7 +3,6 @@
 // differences of lanes.
 #pragma once
 
-#include <csetjmp>
 #include <cstring>
 
 #include "reference/glsl/packet_functions.h"
@@ -44,7 +43,7 @@ SHADERTWIN_INLINE glm::vec<N, Float> along_y(const glm::vec<N, Float>& a) {
 
 }  // namespace implementation
 
-struct Invocation {
+struct Invocation : Stoppable {
   vec4 gl_FragCoord{};
   Bool gl_FrontFacing = true;
   vec2 gl_PointCoord{};
@@ -126,18 +125,6 @@ struct Invocation {
   SHADERTWIN_READ(textureSize)
 #undef SHADERTWIN_READ
 
-  // Ends this packet: a loop that has to stop.
-  [[noreturn]] void stop_invocation__() {
-    std::longjmp(end__, 1);
-  }
-
-  void loop_guard__() {
-    if ((++rounds__ & 0xfffu) == 0 && stop__->load(std::memory_order_relaxed)) stop_invocation__();
-  }
-
-  template <class Shader>
-  friend class PixelLoop;
-
  private:
   // The level of detail of each pixel.
   class Lods__ {
@@ -176,10 +163,6 @@ struct Invocation {
       return glsl::detail::sampled(s.bound, lane__(p, i), requests[i]);
     });
   }
-
-  std::jmp_buf end__;
-  const std::atomic<bool>* stop__ = nullptr;
-  unsigned rounds__ = 0;
 };
 
 // Draws the pixels of a request. Shader is the emitted structure.
@@ -197,7 +180,7 @@ class PixelLoop {
     const FlushDenormals denormals;
     // Packets stand on multiples of their size, whatever the rectangle.
     for (int y = request_.y0 & -packet_height; y < request_.y1; y += packet_height) {
-      if (request_.stop->load(std::memory_order_relaxed)) return;
+      if (twin::is_set(*request_.stop)) return;
       for (int x = request_.x0 & -packet_width; x < request_.x1; x += packet_width) packet(x, y);
     }
   }
@@ -217,7 +200,11 @@ class PixelLoop {
     // Pixels beside the rectangle are drawn only for their neighbours' derivatives.
     const Bool running = request_.quads ? Bool(true) : inside;
     shader_.alive__ = running;
-    if (!draw(running)) return;
+    const bool have_colors = completes<Shader>([&] {
+      shader_.initialise__(running);
+      shader_.main(running);
+    });
+    if (!have_colors) return;
     const vec4 color = output_(shader_);
     for (unsigned left = bits_of__(inside && shader_.alive__); left != 0; left &= left - 1) {
       const int i = std::countr_zero(left);
@@ -226,16 +213,6 @@ class PixelLoop {
                      std::ptrdiff_t{4} * (x0 + lane_x[i] - request_.x0);
       for (int c = 0; c < 4; ++c) pixel[c] = color[c].v[i];
     }
-  }
-
-  // Whether the pixels have colours.
-  bool draw(Bool running) {
-    if constexpr (Shader::uses_stop__) {
-      if (setjmp(shader_.end__) != 0) return false;
-    }
-    shader_.initialise__(running);
-    shader_.main(running);
-    return true;
   }
 
   const twin::Request& request_;

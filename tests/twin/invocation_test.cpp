@@ -43,7 +43,7 @@ struct Discarding : Stopping {
 
 // Never ends by itself.
 struct Endless : Stopping {
-  static inline std::atomic<bool> stop = false;
+  static inline bool stop = false;
   void main() {
     const Counted counted;
     stop = true;
@@ -52,7 +52,7 @@ struct Endless : Stopping {
 };
 
 template <class Shader>
-std::array<float, 16> draw(const std::atomic<bool>& stop) {
+std::array<float, 16> draw(const bool& stop) {
   std::array<float, 16> pixels;
   pixels.fill(-1.0F);
   twin::Request request;
@@ -67,7 +67,7 @@ std::array<float, 16> draw(const std::atomic<bool>& stop) {
 }
 
 TEST(Stopping, ADiscardLeavesThePixelAndNothingOnTheStack) {
-  const std::atomic<bool> stop = false;
+  const bool stop = false;
   const auto pixels = draw<Discarding>(stop);
   for (std::size_t x = 0; x < 4; ++x) EXPECT_EQ(pixels[4 * x], x % 2 == 0 ? -1.0F : 2.0F) << x;
   EXPECT_EQ(alive, 0);
