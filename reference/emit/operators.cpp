@@ -154,4 +154,50 @@ const char* builtin_name(TOperator op) {
   }
 }
 
+namespace {
+
+bool is_integer(const TType& type) {
+  return type.getBasicType() == EbtInt || type.getBasicType() == EbtUint;
+}
+
+// A divisor that C++ can divide by as it is: neither 0 nor -1.
+bool is_safe_divisor(const TIntermTyped& node) {
+  const TIntermConstantUnion* constant = node.getAsConstantUnion();
+  if (constant == nullptr) return false;
+  for (int i = 0; i < constant->getConstArray().size(); ++i) {
+    const TConstUnion& value = constant->getConstArray()[i];
+    if (value.getType() == EbtUint ? value.getUConst() == 0
+                                   : value.getIConst() == 0 || value.getIConst() == -1)
+      return false;
+  }
+  return true;
+}
+
+bool is_safe_shift(const TIntermTyped& node) {
+  const TIntermConstantUnion* constant = node.getAsConstantUnion();
+  if (constant == nullptr || !constant->getType().isScalar()) return false;
+  const TConstUnion& value = constant->getConstArray()[0];
+  return value.getType() == EbtUint ? value.getUConst() < 32
+                                    : value.getIConst() >= 0 && value.getIConst() < 32;
+}
+
+}  // namespace
+
+const char* integer_function(TOperator op, const TIntermTyped& left, const TIntermTyped& right) {
+  if (!is_integer(left.getType())) return nullptr;
+  const bool both_scalar = left.getType().isScalar() && right.getType().isScalar();
+  switch (op) {
+    case EOpDiv:
+      return is_safe_divisor(right) && both_scalar ? nullptr : "divide";
+    case EOpMod:
+      return is_safe_divisor(right) && both_scalar ? nullptr : "modulo";
+    case EOpLeftShift:
+      return is_safe_shift(right) && both_scalar ? nullptr : "shift_left";
+    case EOpRightShift:
+      return is_safe_shift(right) && both_scalar ? nullptr : "shift_right";
+    default:
+      return nullptr;
+  }
+}
+
 }  // namespace shadertwin::emit
