@@ -18,17 +18,6 @@ namespace {
 
 using check::Finding;
 
-// `out` parameters are left as the shader leaves them: zero would hide what is to be found.
-Project load_unchanged(const PlayOptions& options) {
-  LoadOptions load_options = make_load_options(options);
-  load_options.undefined = Undefined::raw;
-  Project project = load_project(options.shader, load_options);
-  refuse_for_project(options, project);
-  if (!options.quiet)
-    for (const std::string& warning : project.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
-  return project;
-}
-
 void append(std::vector<Finding>& findings, std::vector<Finding> more) {
   findings.insert(findings.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
@@ -60,7 +49,7 @@ nlohmann::json to_json(const std::vector<Finding>& findings) {
 }
 
 void run_check(const PlayOptions& options) {
-  const Project project = load_unchanged(options);
+  const Project project = load(options);
   const std::vector<Finding> findings = find(project, options);
   for (const Finding& finding : findings) std::printf("%s\n", check::to_line(finding).c_str());
   if (!options.json.empty())

@@ -135,11 +135,7 @@ void refuse_for_project(const PlayOptions& o, const Project& project) {
 
 int chosen_pass(const Project& project, const PlayOptions& o) {
   if (o.pass.empty()) return static_cast<int>(project.passes.size()) - 1;
-  const int pass = find_pass(project, o.pass);
-  if (pass >= 0) return pass;
-  std::string names;
-  for (const Pass& p : project.passes) names += (names.empty() ? "" : ", ") + p.name;
-  throw Error(ExitStatus::usage, "--pass " + o.pass + ": the passes are " + names);
+  return need_pass(project, o.pass);
 }
 
 LoadOptions make_load_options(const PlayOptions& o) {

@@ -6,6 +6,8 @@
 #include "host/base/error.h"
 #include "host/export/export.h"
 #include "host/language/tokens.h"
+#include "host/project/host_rules.h"
+#include "host/project/text_loader.h"
 #include "host/project/write_json.h"
 #include "host/text/keyboard_text.h"
 #include "host/text/legacy_names.h"
@@ -25,18 +27,6 @@ constexpr std::array<std::pair<std::string_view, const char*>, 4> key_functions 
      {"isKeyPressed", "texelFetch(iKeyboard, ivec2(key, 1), 0).x > 0.0"},
      {"isKeyToggled", "texelFetch(iKeyboard, ivec2(key, 2), 0).x > 0.0"},
      {"isKeyReleased", "false"}}};  // the site's keyboard does not tell
-
-// The knobs of the command line stand in front of every pass, as lines of no file.
-std::string knobs(const Project& project) {
-  const PassSource& source = project.passes.back().source;
-  std::istringstream body(source.written);
-  std::string text;
-  std::string line;
-  for (std::size_t i = 0; i < source.lines.size() && source.lines[i].file < 0 && std::getline(body, line);
-       ++i)
-    text += line + '\n';
-  return text;
-}
 
 bool uses(const Project& project, std::string_view name) {
   bool used = false;
@@ -93,17 +83,18 @@ Project for_site(const Project& project) {
   for (const Pass& pass : project.passes)
     if (pass.vertex.has_value())
       throw Error(ExitStatus::shader, pass.name + ": error: shadertoy.com has no vertex shaders (#iVertex)");
-  std::string prelude = knobs(project);
-  if (project.dialect == Dialect::vscode) prelude += names(project);
+  std::string prelude = to_text(project.defines);
+  const HostRules rules = host_rules(project);
+  if (rules.takes_older_names) prelude += names(project);
   if (prelude.empty()) return project;
   Project result = project;
   // The document that it came from lacks the knobs.
-  if (project.dialect == Dialect::vscode)
+  if (rules.takes_older_names)
     result.json.clear();
   else if (!project.json.empty())
     result.json = with_common(project.json, prelude);
   result.common = prelude + project.common;
-  if (project.dialect == Dialect::vscode)
+  if (rules.has_local_inputs)
     for (Pass& pass : result.passes) add_keyboard(pass);
   return result;
 }

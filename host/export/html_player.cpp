@@ -20,20 +20,21 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // WebGL's names.
-constexpr std::array min_names = {"NEAREST",
-                                  "LINEAR",
-                                  "NEAREST_MIPMAP_NEAREST",
-                                  "NEAREST_MIPMAP_LINEAR",
-                                  "LINEAR_MIPMAP_NEAREST",
-                                  "LINEAR_MIPMAP_LINEAR"};
-constexpr std::array mag_names = {"NEAREST", "LINEAR"};
-constexpr std::array wrap_names = {"REPEAT", "CLAMP_TO_EDGE", "MIRRORED_REPEAT"};
-constexpr std::array uniform_names = {"float", "vec2",  "vec3",  "vec4", "int",
-                                      "ivec2", "ivec3", "ivec4", "mat4"};
+template <typename Enum, std::size_t size>
+using Names = std::array<std::pair<Enum, const char*>, size>;
+constexpr Names<MinFilter, 6> min_names = {{{MinFilter::nearest, "NEAREST"},
+                                            {MinFilter::linear, "LINEAR"},
+                                            {MinFilter::nearest_mipmap_nearest, "NEAREST_MIPMAP_NEAREST"},
+                                            {MinFilter::nearest_mipmap_linear, "NEAREST_MIPMAP_LINEAR"},
+                                            {MinFilter::linear_mipmap_nearest, "LINEAR_MIPMAP_NEAREST"},
+                                            {MinFilter::linear_mipmap_linear, "LINEAR_MIPMAP_LINEAR"}}};
+constexpr Names<MagFilter, 2> mag_names = {{{MagFilter::nearest, "NEAREST"}, {MagFilter::linear, "LINEAR"}}};
+constexpr Names<Wrap, 3> wrap_names = {
+    {{Wrap::repeat, "REPEAT"}, {Wrap::clamp, "CLAMP_TO_EDGE"}, {Wrap::mirror, "MIRRORED_REPEAT"}}};
 
-template <std::size_t size, typename Enum>
-const char* name_of(const std::array<const char*, size>& names, Enum value) {
-  return names.at(static_cast<std::size_t>(value));
+const char* name_of(const auto& names, auto value) {
+  return std::find_if(names.begin(), names.end(), [=](const auto& row) { return row.first == value; })
+      ->second;
 }
 
 class Describer {
@@ -156,7 +157,7 @@ class Describer {
   }
 
   static Json describe(const CustomUniform& uniform) {
-    return {{"name", uniform.name},       {"type", name_of(uniform_names, uniform.type)},
+    return {{"name", uniform.name},       {"type", info(uniform.type).name},
             {"color", uniform.is_color},  {"value", uniform.value},
             {"range", uniform.has_range}, {"min", uniform.min},
             {"max", uniform.max},         {"step", uniform.step}};

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "host/project/kinds.h"
+
 namespace shadertwin::gl {
 
 namespace {
@@ -40,10 +42,6 @@ void set_uniform(const Functions& gl, GLint location, UniformType type, int coun
   }
 }
 
-bool is_integer(UniformType type) {
-  return type >= UniformType::int1 && type <= UniformType::int4;
-}
-
 }  // namespace
 
 ProgramUniforms::ProgramUniforms(const Functions& gl, const Program& program, const Project& project)
@@ -73,9 +71,8 @@ void ProgramUniforms::set(const Uniforms& values, std::span<const std::array<flo
     const std::array<float, 4>& value = slot.index < custom.size() ? custom[slot.index] : slot.value;
     std::array<GLint, 4> integers{};
     for (std::size_t i = 0; i < 4; ++i) integers[i] = static_cast<GLint>(value[i]);
-    const bool integer = is_integer(slot.type);
     set_uniform(*gl_, slot.location, slot.type, 1,
-                integer ? static_cast<const void*>(integers.data()) : value.data());
+                info(slot.type).is_integer ? static_cast<const void*>(integers.data()) : value.data());
   }
 }
 

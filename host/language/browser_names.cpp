@@ -1,220 +1,56 @@
 #include "host/language/browser_names.h"
 
+#include "host/language/tokens.h"
+
 namespace shadertwin {
 
 using Names = std::set<std::string_view>;
 
+namespace {
+
+Names split(std::string_view text) {
+  Names names;
+  for (const Token& token : tokenize(text)) names.insert(token.text);
+  return names;
+}
+
+}  // namespace
+
 const Names& later_words() {
-  static const Names names = {"packed",
-                              "shared",
-                              "buffer",
-                              "precise",
-                              "dmat2",
-                              "dmat3",
-                              "dmat4",
-                              "dmat2x2",
-                              "dmat2x3",
-                              "dmat2x4",
-                              "dmat3x2",
-                              "dmat3x3",
-                              "dmat3x4",
-                              "dmat4x2",
-                              "dmat4x3",
-                              "dmat4x4",
-                              "samplerCubeArray",
-                              "samplerCubeArrayShadow",
-                              "isamplerCubeArray",
-                              "usamplerCubeArray",
-                              "int8_t",
-                              "int16_t",
-                              "int32_t",
-                              "int64_t",
-                              "uint8_t",
-                              "uint16_t",
-                              "uint32_t",
-                              "uint64_t",
-                              "float16_t",
-                              "float32_t",
-                              "float64_t"};
+  static const Names names = split(
+      "packed shared buffer precise dmat2 dmat3 dmat4 dmat2x2 dmat2x3 dmat2x4 dmat3x2 dmat3x3 dmat3x4 "
+      "dmat4x2 dmat4x3 dmat4x4 samplerCubeArray samplerCubeArrayShadow isamplerCubeArray usamplerCubeArray "
+      "int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t float16_t float32_t float64_t");
   return names;
 }
 
 const Names& other_builtins() {
-  static const Names names = {"bitfieldExtract",
-                              "bitfieldInsert",
-                              "bitfieldReverse",
-                              "bitCount",
-                              "findLSB",
-                              "findMSB",
-                              "frexp",
-                              "ldexp",
-                              "uaddCarry",
-                              "usubBorrow",
-                              "umulExtended",
-                              "imulExtended",
-                              "packUnorm4x8",
-                              "packSnorm4x8",
-                              "unpackUnorm4x8",
-                              "unpackSnorm4x8",
-                              "textureGather",
-                              "textureGatherOffset",
-                              "textureGatherOffsets",
-                              "imageLoad",
-                              "imageStore",
-                              "imageSize",
-                              "imageAtomicAdd",
-                              "imageAtomicMin",
-                              "imageAtomicMax",
-                              "imageAtomicAnd",
-                              "imageAtomicOr",
-                              "imageAtomicXor",
-                              "imageAtomicExchange",
-                              "imageAtomicCompSwap",
-                              "atomicAdd",
-                              "atomicMin",
-                              "atomicMax",
-                              "atomicAnd",
-                              "atomicOr",
-                              "atomicXor",
-                              "atomicExchange",
-                              "atomicCompSwap",
-                              "atomicCounter",
-                              "atomicCounterIncrement",
-                              "atomicCounterDecrement",
-                              "barrier",
-                              "memoryBarrier",
-                              "memoryBarrierAtomicCounter",
-                              "memoryBarrierBuffer",
-                              "memoryBarrierImage",
-                              "memoryBarrierShared",
-                              "groupMemoryBarrier",
-                              "fma",
-                              "interpolateAtCentroid",
-                              "interpolateAtSample",
-                              "interpolateAtOffset",
-                              "texture1D",
-                              "texture1DProj",
-                              "texture1DLod",
-                              "texture1DProjLod",
-                              "texture2D",
-                              "texture2DProj",
-                              "texture2DLod",
-                              "texture2DProjLod",
-                              "texture3D",
-                              "texture3DProj",
-                              "texture3DLod",
-                              "texture3DProjLod",
-                              "textureCube",
-                              "textureCubeLod",
-                              "shadow1D",
-                              "shadow2D",
-                              "shadow1DProj",
-                              "shadow2DProj",
-                              "shadow1DLod",
-                              "shadow2DLod",
-                              "texture2DRect",
-                              "texture2DRectProj"};
-  return names;
-}
-
-const Names& value_types() {
-  static const Names names = {"float",  "vec2",   "vec3",   "vec4",   "int",    "ivec2",  "ivec3",
-                              "ivec4",  "uint",   "uvec2",  "uvec3",  "uvec4",  "bool",   "bvec2",
-                              "bvec3",  "bvec4",  "mat2",   "mat3",   "mat4",   "mat2x2", "mat2x3",
-                              "mat2x4", "mat3x2", "mat3x3", "mat3x4", "mat4x2", "mat4x3", "mat4x4"};
+  static const Names names = split(
+      "bitfieldExtract bitfieldInsert bitfieldReverse bitCount findLSB findMSB frexp ldexp uaddCarry "
+      "usubBorrow umulExtended imulExtended packUnorm4x8 packSnorm4x8 unpackUnorm4x8 unpackSnorm4x8 "
+      "textureGather textureGatherOffset textureGatherOffsets imageLoad imageStore imageSize imageAtomicAdd "
+      "imageAtomicMin imageAtomicMax imageAtomicAnd imageAtomicOr imageAtomicXor imageAtomicExchange "
+      "imageAtomicCompSwap atomicAdd atomicMin atomicMax atomicAnd atomicOr atomicXor atomicExchange "
+      "atomicCompSwap atomicCounter atomicCounterIncrement atomicCounterDecrement barrier memoryBarrier "
+      "memoryBarrierAtomicCounter memoryBarrierBuffer memoryBarrierImage memoryBarrierShared "
+      "groupMemoryBarrier fma interpolateAtCentroid interpolateAtSample interpolateAtOffset texture1D "
+      "texture1DProj texture1DLod texture1DProjLod texture2D texture2DProj texture2DLod texture2DProjLod "
+      "texture3D texture3DProj texture3DLod texture3DProjLod textureCube textureCubeLod shadow1D shadow2D "
+      "shadow1DProj shadow2DProj shadow1DLod shadow2DLod texture2DRect texture2DRectProj");
   return names;
 }
 
 const Names& builtins() {
-  static const Names names = {"radians",
-                              "degrees",
-                              "sin",
-                              "cos",
-                              "tan",
-                              "asin",
-                              "acos",
-                              "atan",
-                              "sinh",
-                              "cosh",
-                              "tanh",
-                              "asinh",
-                              "acosh",
-                              "atanh",
-                              "pow",
-                              "exp",
-                              "log",
-                              "exp2",
-                              "log2",
-                              "sqrt",
-                              "inversesqrt",
-                              "abs",
-                              "sign",
-                              "floor",
-                              "trunc",
-                              "round",
-                              "roundEven",
-                              "ceil",
-                              "fract",
-                              "mod",
-                              "modf",
-                              "min",
-                              "max",
-                              "clamp",
-                              "mix",
-                              "step",
-                              "smoothstep",
-                              "isnan",
-                              "isinf",
-                              "floatBitsToInt",
-                              "floatBitsToUint",
-                              "intBitsToFloat",
-                              "uintBitsToFloat",
-                              "packSnorm2x16",
-                              "unpackSnorm2x16",
-                              "packUnorm2x16",
-                              "unpackUnorm2x16",
-                              "packHalf2x16",
-                              "unpackHalf2x16",
-                              "length",
-                              "distance",
-                              "dot",
-                              "cross",
-                              "normalize",
-                              "faceforward",
-                              "reflect",
-                              "refract",
-                              "matrixCompMult",
-                              "outerProduct",
-                              "transpose",
-                              "determinant",
-                              "inverse",
-                              "lessThan",
-                              "lessThanEqual",
-                              "greaterThan",
-                              "greaterThanEqual",
-                              "equal",
-                              "notEqual",
-                              "any",
-                              "all",
-                              "not",
-                              "textureSize",
-                              "texture",
-                              "textureProj",
-                              "textureLod",
-                              "textureOffset",
-                              "texelFetch",
-                              "texelFetchOffset",
-                              "textureProjOffset",
-                              "textureLodOffset",
-                              "textureProjLod",
-                              "textureProjLodOffset",
-                              "textureGrad",
-                              "textureGradOffset",
-                              "textureProjGrad",
-                              "textureProjGradOffset",
-                              "dFdx",
-                              "dFdy",
-                              "fwidth"};
+  static const Names names = split(
+      "radians degrees sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh pow exp log exp2 log2 "
+      "sqrt inversesqrt abs sign floor trunc round roundEven ceil fract mod modf min max clamp mix step "
+      "smoothstep isnan isinf floatBitsToInt floatBitsToUint intBitsToFloat uintBitsToFloat packSnorm2x16 "
+      "unpackSnorm2x16 packUnorm2x16 unpackUnorm2x16 packHalf2x16 unpackHalf2x16 length distance dot cross "
+      "normalize faceforward reflect refract matrixCompMult outerProduct transpose determinant inverse "
+      "lessThan lessThanEqual greaterThan greaterThanEqual equal notEqual any all not textureSize texture "
+      "textureProj textureLod textureOffset texelFetch texelFetchOffset textureProjOffset textureLodOffset "
+      "textureProjLod textureProjLodOffset textureGrad textureGradOffset textureProjGrad "
+      "textureProjGradOffset dFdx dFdy fwidth");
   return names;
 }
 

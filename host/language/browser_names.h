@@ -16,9 +16,6 @@ const std::set<std::string_view>& other_builtins();
 // Built-in functions of GLSL ES 3.00.
 const std::set<std::string_view>& builtins();
 
-// Types of values that a shader can store, but structures and arrays.
-const std::set<std::string_view>& value_types();
-
 struct Overload {
   std::string_view name;
   std::string_view result;

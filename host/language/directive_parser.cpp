@@ -1,6 +1,6 @@
 #include "host/language/directive_parser.h"
 
-#include <unordered_map>
+#include <unordered_set>
 
 #include "host/language/directive_expression.h"
 
@@ -39,14 +39,17 @@ DirectiveParser::DirectiveParser(SourceReader& source, PreprocessingState& state
   predefine("__VERSION__", "300", Macro::Origin::language);
   predefine("__LINE__", "0", Macro::Origin::line);
   predefine("__FILE__", "0", Macro::Origin::file);
-  for (const auto& [name, replacement] : options.predefined)
-    predefine(name, replacement, Macro::Origin::host);
+  for (const auto& [name, replacement, parameters] : options.predefined)
+    predefine(name, replacement, Macro::Origin::host, parameters);
 }
 
-void DirectiveParser::predefine(std::string_view name, std::string_view replacement, Macro::Origin origin) {
+void DirectiveParser::predefine(std::string_view name, std::string_view replacement, Macro::Origin origin,
+                                const std::vector<std::string>& parameters) {
   auto macro = std::make_shared<Macro>();
   macro->origin = origin;
-  macro->body = tokens_of_line(replacement);
+  macro->has_parameters = !parameters.empty();
+  macro->parameters.assign(parameters.begin(), parameters.end());
+  macro->set_body(tokens_of_line(replacement));
   macros_[name] = std::move(macro);
 }
 
@@ -127,21 +130,14 @@ void DirectiveParser::parse_define() {
   auto macro = std::make_shared<Macro>();
   advance();
   if (token_.is('(') && !token_.space_before && !parse_parameters(*macro)) return;
-  std::unordered_map<std::string_view, int> parameters;
-  for (const std::string_view parameter : macro->parameters)
-    parameters.emplace(parameter, static_cast<int>(parameters.size()));
-  for (; !token_.ends_directive(); advance()) {
-    macro->body.push_back(token_);
-    const auto parameter = parameters.find(token_.text);
-    macro->parameter_of.push_back(parameter == parameters.end() ? -1 : parameter->second);
-  }
-  if (!macro->body.empty()) macro->body.front().space_before = false;
+  std::vector<PreprocessingToken> body;
+  for (; !token_.ends_directive(); advance()) body.push_back(token_);
+  macro->set_body(std::move(body));
   if (known != macros_.end() && known->second->origin == Macro::Origin::text) {
     if (!macro->same_as(*known->second))
       error("the macro " + quoted(name) + " is defined already, and differently");
     return;
   }
-  if (defined_.insert(name.text).second) state_.result.macros.emplace_back(name.text);
   macros_[name.text] = std::move(macro);
 }
 
@@ -303,7 +299,6 @@ void DirectiveParser::parse_extension() {
   // WebGL2 has what its extensions add to the language in it, or not at all.
   if (behaviour == "require")
     return state_.error(line, "the extension " + quoted(words[0]) + " is not supported");
-  if (behaviour == "enable") state_.warning(line, "the extension " + quoted(words[0]) + " is not supported");
   state_.result.directives.push_back(
       {"#extension " + std::string(name) + " : " + std::string(behaviour), line, true});
 }

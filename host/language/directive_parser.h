@@ -3,7 +3,6 @@
 
 #include <string>
 #include <string_view>
-#include <unordered_set>
 #include <vector>
 
 #include "host/language/macro_expander.h"
@@ -29,7 +28,8 @@ class DirectiveParser : public TokenSource {
     bool has_else = false;
   };
 
-  void predefine(std::string_view name, std::string_view replacement, Macro::Origin origin);
+  void predefine(std::string_view name, std::string_view replacement, Macro::Origin origin,
+                 const std::vector<std::string>& parameters = {});
   bool skipping() const;
   void advance() { token_ = source_.next(); }
   void error(const std::string& message) { state_.error(token_.line, message); }
@@ -57,9 +57,8 @@ class DirectiveParser : public TokenSource {
   const PreprocessOptions& options_;
   MacroTable macros_;
   std::vector<Condition> conditions_;
-  std::unordered_set<std::string_view> defined_;  // at any time
-  PreprocessingToken token_;                      // of the directive that is parsed
-  bool anything_before_ = false;                  // but comments
+  PreprocessingToken token_;      // of the directive that is parsed
+  bool anything_before_ = false;  // but comments
   bool code_before_ = false;
 };
 

@@ -34,7 +34,7 @@ EntryPoints find_entry_points(const std::vector<Token>& tokens) {
     if (token.is("{") || token.is("(")) ++depth;
     if (token.is("}") || token.is(")")) depth = std::max(depth - 1, 0);
     if (token.kind != Token::Kind::identifier) continue;
-    if (token.is("out") && depth == 0) found.output = true;
+    if (token.is("out") && depth == 0 && found.output_line == 0) found.output_line = token.line;
     // Functions can't be nested, so they are found behind a brace that is missing, too: the compiler tells
     // where.
     const bool is_function = i > 0 && i + 1 < tokens.size() && tokens[i + 1].is("(") &&

@@ -15,7 +15,7 @@ struct EntryPoints {
   bool sound = false;           // mainSound
   bool sound_of_time = false;   // the old mainSound(float time), and it alone
   bool vr = false;              // mainVR
-  bool output = false;          // a global `out` variable of the user's
+  int output_line = 0;          // of the first global `out` variable of the user's, from 1; 0: there is none
 };
 
 // `tokens`: of preprocessed text. A prototype counts as well: what it lacks is for the compiler to tell.

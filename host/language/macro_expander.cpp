@@ -34,6 +34,18 @@ bool Macro::same_as(const Macro& other) const {
                     });
 }
 
+void Macro::set_body(std::vector<PreprocessingToken> tokens) {
+  std::unordered_map<std::string_view, int> numbers;
+  for (const std::string_view parameter : parameters)
+    numbers.emplace(parameter, static_cast<int>(numbers.size()));
+  body = std::move(tokens);
+  for (const PreprocessingToken& token : body) {
+    const auto parameter = numbers.find(token.text);
+    parameter_of.push_back(parameter == numbers.end() ? -1 : parameter->second);
+  }
+  if (!body.empty()) body.front().space_before = false;
+}
+
 MacroExpander::MacroExpander(TokenSource& source, const MacroTable& macros, PreprocessingState& state,
                              bool with_defined, int depth_left)
     : source_(source), macros_(macros), state_(state), with_defined_(with_defined), depth_left_(depth_left) {}

@@ -31,6 +31,8 @@ struct Macro {
 
   bool predefined() const { return origin != Origin::text && origin != Origin::host; }
   bool same_as(const Macro& other) const;
+  // The parameters are known by then.
+  void set_body(std::vector<PreprocessingToken> tokens);
 };
 
 // By name. Macros are shared with the expansions that still read them.

@@ -6,10 +6,6 @@ void PreprocessingState::error(int line, std::string message) {
   if (result.errors.size() < error_limit) result.errors.push_back({line, std::move(message)});
 }
 
-void PreprocessingState::warning(int line, std::string message) {
-  if (result.warnings.size() < error_limit) result.warnings.push_back({line, std::move(message)});
-}
-
 bool PreprocessingState::spend(std::int64_t steps, int line) {
   if (exhausted()) return false;
   steps_left_ -= steps;

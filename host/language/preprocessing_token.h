@@ -54,7 +54,6 @@ class PreprocessingState {
   static constexpr std::int64_t step_limit = 4'000'000;
 
   void error(int line, std::string message);
-  void warning(int line, std::string message);
   // Counts tokens that macros make. False from where there are too many on: the text is to end there.
   bool spend(std::int64_t steps, int line);
   bool exhausted() const { return steps_left_ < 0; }

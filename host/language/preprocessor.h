@@ -9,7 +9,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace shadertwin {
@@ -32,14 +31,18 @@ struct PlainText {
   std::vector<PlainToken> tokens;      // no directives, no comments, no continuations
   std::vector<PlainToken> directives;  // for the compiler: each #extension and #pragma as one token
   std::vector<Diagnostic> errors;      // what a browser refuses, in its order, at most 100
-  std::vector<Diagnostic> warnings;    // what a browser takes but hardly anybody means
-  std::vector<std::string> macros;     // names that the text defines at any time, first ones first
+};
+
+// A macro of the host's: object-like, or function-like with at least one parameter.
+struct HostMacro {
+  std::string name;
+  std::string replacement;
+  std::vector<std::string> parameters = {};
 };
 
 struct PreprocessOptions {
-  // Names and replacements of object-like macros. The text may define these anew or undefine them without
-  // complaint.
-  std::vector<std::pair<std::string, std::string>> predefined = {};
+  // The text may define these anew or undefine them without complaint.
+  std::vector<HostMacro> predefined = {};
   // Whether the text stands behind a host's head with code in it, as on shadertoy.com: #version and
   // #extension are then refused wherever they are. Else #version 300 es may be on the first line, and
   // #extension before the first code.

@@ -110,22 +110,16 @@ void SourceReader::unfold(std::string_view text) {
     if (text[i] != '\r') return 0;
     return i + 1 < text.size() && text[i + 1] == '\n' ? 2 : 1;
   };
-  int line = 1;
   for (std::size_t i = 0; i < text.size();) {
     const auto byte = static_cast<unsigned char>(text[i]);
     if (const std::size_t length = line_end(i)) {
       text_ += '\n';
       i += length;
-      ++line;
     } else if (byte == '\\' && line_end(i + 1) != 0) {
       i += 1 + line_end(i + 1);
-      ++line;
       continuations_.push_back(text_.size());
       // ANGLE takes this for the end of its input.
-      if (i < text.size() && text[i] == '\\') {
-        state_.warning(line, "a browser ends the text at a backslash right behind a continued line");
-        return;
-      }
+      if (i < text.size() && text[i] == '\\') return;
     } else {
       if (byte < 0x80)
         text_ += text[i];

@@ -118,17 +118,21 @@ class Scanner {
     } else if (options_.strings && (c == '"' || c == '\'')) {
       kind = scan_string(c, end);
     } else {
-      const std::string_view rest = text_.substr(at_, 3);
-      for (const std::string_view op : long_operators)
-        if (rest.starts_with(op)) {
-          end = at_ + op.size();
-          break;
-        }
+      end = at_ + operator_length();
     }
     if (c == '#' && first_) preprocessor_ = true;
     push(kind, end - at_);
     first_ = false;
     at_ = end;
+  }
+
+  std::size_t operator_length() const {
+    constexpr std::string_view second = "<>+-=&|^:";  // in any of the long ones
+    if (second.find(at(at_ + 1)) == std::string_view::npos) return 1;
+    const std::string_view rest = text_.substr(at_, 3);
+    for (const std::string_view op : long_operators)
+      if (rest.starts_with(op)) return op.size();
+    return 1;
   }
 
   // Digits, letters and points, as far as they go: 1.x and 08 are one token, too. A sign belongs to it only

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "host/project/host_rules.h"
 #include "host/project/kinds.h"
 #include "host/project/paths.h"
 #include "host/project/text_file.h"
@@ -90,10 +91,6 @@ Input bind_path(const ChannelContext& context, const PlacedDirective& at, bool c
 
 }  // namespace
 
-Sampler default_sampler(Dialect dialect, InputKind kind) {
-  return dialect == Dialect::vscode ? info(kind).extension_sampler : info(kind).site_sampler;
-}
-
 void bind_channels(const ChannelContext& context, const std::vector<PlacedDirective>& directives,
                    std::array<Input, max_channels>& inputs) {
   using Kind = Directive::Kind;
@@ -105,7 +102,8 @@ void bind_channels(const ChannelContext& context, const std::vector<PlacedDirect
     if (at.directive.kind != Kind::channel) continue;
     const auto channel = static_cast<std::size_t>(at.directive.channel);
     Input input = bind_path(context, at, cubemap[channel]);
-    input.sampler = default_sampler(context.project.dialect, input.kind);
+    const InputKindInfo& kind = info(input.kind);
+    input.sampler = host_rules(context.project).editor_samplers ? kind.site_sampler : kind.extension_sampler;
     // A DDS file is not flipped by the extension.
     if (!input.files.empty() && plain_name(input.files[0].extension().string()) == ".dds")
       input.sampler.vflip = false;

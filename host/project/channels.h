@@ -25,9 +25,6 @@ struct ChannelContext {
 void bind_channels(const ChannelContext& context, const std::vector<PlacedDirective>& directives,
                    std::array<Input, max_channels>& inputs);
 
-// The sampler that an input has when nothing is said about it.
-Sampler default_sampler(Dialect dialect, InputKind kind);
-
 // Adds what the other directives of a pass ask for to the project. True if the pass has #iKeyboard.
 struct PassFlags {
   bool keyboard = false;

@@ -1,5 +1,5 @@
-// What shadertoy.com and the VS Code extension "Shader Toy" do differently once a project is loaded. Whoever
-// draws a project, binds its channels or makes its frames asks here what to do, not whose project it is.
+// What shadertoy.com and the VS Code extension "Shader Toy" do differently. Whoever loads, writes or draws a
+// project, binds its channels or makes its frames asks here what to do, not whose project it is.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,18 @@ namespace shadertwin {
 
 // As they stand, shadertoy.com's rules.
 struct HostRules {
+  // Text.
+  bool is_local = false;        // SHADER_TOY is defined
+  bool has_performance = true;  // HW_PERFORMANCE is defined
+  bool code_in_front = true;    // of the shader's: #version and #extension are refused
+  bool main_in_front = true;    // main() stands there, too
+  bool owns_names = true;  // main(), the form of mainImage() and the uniforms are not the shader's to declare
+  bool has_asserts = true;         // st_assert() in the image
+  bool has_local_inputs = false;   // iMouseButton, iViewMatrix, iKeyboard
+  bool takes_older_names = false;  // of GLSL ES 1.00 and of older players
   // Channels.
   int channels = 4;                // the shader has iChannel0 and so on
+  bool editor_samplers = true;     // what nothing is said of is as the site's editor has it
   bool shared_samplers = true;     // all that read a buffer share one texture object and its settings
   std::uint8_t empty_alpha = 255;  // of a channel that nothing is bound to; r, g and b are 0
   int keyboard_rows = 3;           // held, pressed, toggled; the fourth is released
@@ -45,6 +55,15 @@ struct HostRules {
 constexpr HostRules host_rules(Dialect dialect, bool vscode_quirks = false) {
   HostRules rules;
   if (dialect == Dialect::shadertoy) return rules;
+  rules.is_local = true;
+  rules.has_performance = false;
+  rules.code_in_front = false;
+  rules.main_in_front = false;
+  rules.owns_names = false;
+  rules.has_asserts = false;
+  rules.has_local_inputs = true;
+  rules.takes_older_names = true;
+  rules.editor_samplers = false;
   rules.channels = max_channels;
   rules.shared_samplers = false;
   rules.keyboard_rows = 4;

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "host/base/error.h"
-#include "host/project/channels.h"
 #include "host/project/kinds.h"
 #include "host/project/media.h"
 #include "host/project/paths.h"
@@ -73,7 +72,7 @@ bool is_true(const Json& value) {
 }
 
 Sampler read_sampler(const Json& input, InputKind kind) {
-  Sampler sampler = default_sampler(Dialect::shadertoy, kind);
+  Sampler sampler = info(kind).site_sampler;
   const auto settings = input.find("sampler");
   if (settings == input.end() || !settings->is_object()) return sampler;
   const bool fixed = !info(kind).has_settings;

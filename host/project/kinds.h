@@ -1,4 +1,4 @@
-// What there is to know of each kind of pass and of each kind of input, as tables: a new kind is a row here.
+// What there is to know of each kind of pass, of input and of uniform, as tables: a new kind is a row here.
 #pragma once
 
 #include <array>
@@ -113,13 +113,35 @@ constexpr const InputKindInfo& info(InputKind kind) {
   return input_kinds[static_cast<std::size_t>(kind)];
 }
 
-// Every row stands at its kind's number.
-static_assert([] {
-  for (std::size_t i = 0; i < pass_kinds.size(); ++i)
-    if (static_cast<std::size_t>(pass_kinds[i].kind) != i) return false;
-  for (std::size_t i = 0; i < input_kinds.size(); ++i)
-    if (static_cast<std::size_t>(input_kinds[i].kind) != i) return false;
+struct UniformTypeInfo {
+  UniformType kind;
+  std::string_view name;  // in GLSL
+  int components;
+  bool is_integer;
+};
+
+constexpr std::array<UniformTypeInfo, 9> uniform_types = {{
+    {UniformType::float1, "float", 1, false},
+    {UniformType::float2, "vec2", 2, false},
+    {UniformType::float3, "vec3", 3, false},
+    {UniformType::float4, "vec4", 4, false},
+    {UniformType::int1, "int", 1, true},
+    {UniformType::int2, "ivec2", 2, true},
+    {UniformType::int3, "ivec3", 3, true},
+    {UniformType::int4, "ivec4", 4, true},
+    {UniformType::mat4, "mat4", 16, false},
+}};
+
+constexpr const UniformTypeInfo& info(UniformType type) {
+  return uniform_types[static_cast<std::size_t>(type)];
+}
+
+// Whether every row stands at its kind's number.
+constexpr bool in_order(const auto& rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (static_cast<std::size_t>(rows[i].kind) != i) return false;
   return true;
-}());
+}
+static_assert(in_order(pass_kinds) && in_order(input_kinds) && in_order(uniform_types));
 
 }  // namespace shadertwin

@@ -36,7 +36,7 @@ class FolderLoader {
   FolderLoader(fs::path folder, const LoadOptions& options)
       : folder_(std::move(folder)), options_(options), texts_(project_, folder_ / "image.glsl") {
     project_.dialect = options.dialect.value_or(Dialect::shadertoy);
-    project_.local = project_.dialect == Dialect::vscode;
+    project_.local = host_rules(project_).is_local;
   }
 
   Project load() {
@@ -94,7 +94,7 @@ class FolderLoader {
     const fs::path& file = files_of_passes_[static_cast<std::size_t>(index)];
     Pass& pass = project_.passes[static_cast<std::size_t>(index)];
     Body body;
-    append_defines(options_, body);
+    body.append(to_text(options_.defines), -1, 0);
     std::vector<PlacedDirective> directives;
     if (!common.empty()) {
       const std::size_t start = body.size();

@@ -3,6 +3,7 @@
 
 #include "host/base/error.h"
 #include "host/project/body.h"
+#include "host/project/host_rules.h"
 #include "host/project/json_inputs.h"
 #include "host/project/json_text.h"
 #include "host/project/kinds.h"
@@ -26,7 +27,7 @@ class JsonLoader {
         media_(options.media.empty() ? fs::absolute(file).parent_path() : options.media),
         text_(read_text(file)) {
     project_.dialect = options.dialect.value_or(Dialect::shadertoy);
-    project_.local = project_.dialect == Dialect::vscode;
+    project_.local = host_rules(project_).is_local;
     if (!fs::is_directory(media_))
       throw Error(ExitStatus::file, media_.string() + ": error: the media folder is not there");
   }
@@ -158,7 +159,7 @@ class JsonLoader {
 
   void finish(Parsed& parsed) {
     Body body;
-    append_defines(options_, body);
+    body.append(to_text(options_.defines), -1, 0);
     const std::size_t start = body.size();
     for (std::size_t i = 0; i < common_.size(); ++i)
       append(common_[i], i == 0 ? "Common" : "Common " + std::to_string(i + 1), body);

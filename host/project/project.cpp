@@ -20,6 +20,7 @@ Project read_any(const std::filesystem::path& shader, const LoadOptions& options
 
 Project read_project(const std::filesystem::path& shader, const LoadOptions& options) {
   Project project = read_any(shader, options);
+  project.defines = options.defines;
   project.undefined = options.undefined;
   project.precise = options.precise;
   project.muted = options.muted;
@@ -33,6 +34,13 @@ int find_pass(const Project& project, const std::string& name) {
   for (std::size_t i = 0; i < project.passes.size(); ++i)
     if (plain_name(project.passes[i].name) == plain_name(name)) return static_cast<int>(i);
   return -1;
+}
+
+int need_pass(const Project& project, const std::string& name) {
+  if (const int pass = find_pass(project, name); pass >= 0) return pass;
+  std::string names;
+  for (const Pass& pass : project.passes) names += (names.empty() ? "" : ", ") + pass.name;
+  throw Error(ExitStatus::usage, "--pass " + name + ": the passes are " + names);
 }
 
 int find_sound(const Project& project) {

@@ -131,12 +131,17 @@ struct CustomUniform {
   bool operator==(const CustomUniform&) const = default;
 };
 
+// Name and value of -D NAME=VALUE.
+using Defines = std::vector<std::pair<std::string, std::string>>;
+
 struct Project {
   Dialect dialect = Dialect::shadertoy;
   std::string title;         // from a JSON; else empty
   std::string common;        // the text of the Common tab
   std::vector<Pass> passes;  // in drawing order; the last one is the picture
   std::vector<CustomUniform> uniforms;
+  // Those of the command line: the first lines of every body, of no file, are `#define NAME VALUE`.
+  Defines defines;
   // As the extension has them: empty channels read (0, 0, 0, 0), and what PingPong says.
   bool vscode_quirks = false;
   bool first_person_controls = false;  // iViewMatrix follows the keys and the mouse
@@ -152,8 +157,7 @@ struct Project {
 };
 
 struct LoadOptions {
-  // -D NAME[=VALUE], in order. They stand in front of every pass as `#define NAME VALUE`.
-  std::vector<std::pair<std::string, std::string>> defines = {};
+  Defines defines = {};  // Project::defines
   // Whose rules hold. Not given: a file has those of the extension, a folder those of shadertoy.com.
   std::optional<Dialect> dialect = {};
   // Where the media are that a JSON names: "/media/a/x.jpg" is <media>/media/a/x.jpg or <media>/x.jpg. Empty:
@@ -183,6 +187,8 @@ Project read_project(const std::filesystem::path& shader, const LoadOptions& opt
 // Index of the pass that the user calls `name`: as Pass::name, or without case, spaces and underscores
 // ("buffera"). -1 if there is none.
 int find_pass(const Project& project, const std::string& name);
+// The same for --pass: throws Error(usage) if there is none.
+int need_pass(const Project& project, const std::string& name);
 
 // Index of the sound pass, -1 if there is none.
 int find_sound(const Project& project);

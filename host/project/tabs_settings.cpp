@@ -62,7 +62,7 @@ class SettingsReader {
       bind(value, where + "." + key, input);
     }
     if (input.kind == InputKind::none) fail(where + " has no buffer, texture, cubemap ...");
-    input.sampler = default_sampler(Dialect::shadertoy, input.kind);
+    input.sampler = info(input.kind).site_sampler;
     for (const auto& [key, value] : settings.items()) read_setting(key, value, where, input);
     return input;
   }

@@ -94,16 +94,18 @@ void TextLoader::include(const Directive& directive, const std::string& name, co
   append(*target, body, found);
 }
 
-void append_defines(const LoadOptions& options, Body& body) {
-  for (const auto& [name, value] : options.defines) {
+std::string to_text(const Defines& defines) {
+  std::string text;
+  for (const auto& [name, value] : defines) {
     const std::vector<Token> tokens = tokenize(name);
     if (tokens.size() != 1 || tokens[0].kind != Token::Kind::identifier || tokens[0].text != name)
       throw Error(ExitStatus::usage,
                   "-D " + name + ": the name is a letter or _ and then letters, digits and _");
     if (value.find_first_of("\r\n") != std::string::npos)
       throw Error(ExitStatus::usage, "-D " + name + ": the value is one line");
-    body.append("#define " + name + " " + value + "\n", -1, 0);
+    text += "#define " + name + " " + value + "\n";
   }
+  return text;
 }
 
 }  // namespace shadertwin

@@ -47,9 +47,8 @@ class TextLoader {
   int includes_ = 0;
 };
 
-// `#define NAME VALUE` for every define of the command line. Throws Error(usage) for a name that GLSL does
-// not allow.
-void append_defines(const LoadOptions& options, Body& body);
+// `#define NAME VALUE`, a line each. Throws Error(usage) for a name that GLSL does not allow.
+std::string to_text(const Defines& defines);
 
 // Error(status) about a directive: `file:line: error: message`.
 [[noreturn]] void fail_at(ExitStatus status, const std::filesystem::path& file, int line,

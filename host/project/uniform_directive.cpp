@@ -4,28 +4,18 @@
 #include <optional>
 
 #include "host/project/directive_reader.h"
+#include "host/project/kinds.h"
 
 namespace shadertwin {
 
 namespace {
 
-struct TypeName {
-  std::string_view name;
-  UniformType type;
-  int components;
-  bool integer;
-};
+constexpr std::string_view color = "color3";
 
-constexpr TypeName type_names[] = {
-    {"float", UniformType::float1, 1, false}, {"vec2", UniformType::float2, 2, false},
-    {"vec3", UniformType::float3, 3, false},  {"vec4", UniformType::float4, 4, false},
-    {"int", UniformType::int1, 1, true},      {"ivec2", UniformType::int2, 2, true},
-    {"ivec3", UniformType::int3, 3, true},    {"ivec4", UniformType::int4, 4, true},
-    {"color3", UniformType::float3, 3, false}};
-
-const TypeName* find_type(std::string_view name) {
-  for (const TypeName& type : type_names)
-    if (type.name == name) return &type;
+const UniformTypeInfo* find_type(std::string_view name) {
+  if (name == color) name = "vec3";
+  for (const UniformTypeInfo& type : uniform_types)
+    if (type.name == name && type.kind != UniformType::mat4) return &type;
   return nullptr;
 }
 
@@ -52,10 +42,10 @@ class UniformReader {
     if (type_ == nullptr)
       reader_.fail("#iUniform: expected a type (float, vec2, vec3, vec4, int, ivec2, ivec3, ivec4, color3)" +
                    reader_.found());
-    reader_.take();
     CustomUniform uniform;
-    uniform.type = type_->type;
-    uniform.is_color = type_->name == "color3";
+    uniform.type = type_->kind;
+    type_name_ = reader_.take().text;
+    uniform.is_color = type_name_ == color;
     if (reader_.peek().kind != Token::Kind::identifier)
       reader_.fail("#iUniform: expected a name" + reader_.found());
     uniform.name = reader_.take().text;
@@ -66,7 +56,7 @@ class UniformReader {
       has_value = true;
     }
     if (reader_.peek().is("in") && (reader_.peek(1).is("{") || reader_.peek(1).is("["))) read_range(uniform);
-    if (type_->integer) uniform.step.fill(1.0F);
+    if (type_->is_integer) uniform.step.fill(1.0F);
     if (reader_.take_if("step")) {
       uniform.step = value();
       for (int i = 0; i < type_->components; ++i)
@@ -102,12 +92,11 @@ class UniformReader {
       return result;
     }
     const std::string name(reader_.take().text);
-    const TypeName* made = find_type(name);
+    const UniformTypeInfo* made = find_type(name);
     const bool same =
-        made != nullptr && made->components == type_->components && (made->integer || !type_->integer);
-    const bool scalar = made != nullptr && made->components == 1 && (made->integer || !type_->integer);
-    if (!same && !scalar)
-      reader_.fail("#iUniform: '" + name + "' is not a value of type " + std::string(type_->name));
+        made != nullptr && made->components == type_->components && (made->is_integer || !type_->is_integer);
+    const bool scalar = made != nullptr && made->components == 1 && (made->is_integer || !type_->is_integer);
+    if (!same && !scalar) reader_.fail("#iUniform: '" + name + "' is not a value of type " + type_name_);
     reader_.expect("(");
     int count = 0;
     do {
@@ -134,12 +123,13 @@ class UniformReader {
     if (!parsed || !std::isfinite(parsed->value))
       reader_.fail("#iUniform: expected a number" + reader_.found());
     reader_.take();
-    if (type_->integer && !parsed->integer) reader_.fail("#iUniform: an integer is needed");
+    if (type_->is_integer && !parsed->integer) reader_.fail("#iUniform: an integer is needed");
     return sign * parsed->value;
   }
 
   DirectiveReader& reader_;
-  const TypeName* type_ = nullptr;
+  const UniformTypeInfo* type_ = nullptr;
+  std::string type_name_;  // as it is written
 };
 
 }  // namespace

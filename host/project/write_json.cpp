@@ -21,13 +21,13 @@ constexpr int first_media_id = 1000;
 }
 
 std::string constant(const CustomUniform& uniform) {
-  constexpr std::array types = {"float", "vec2", "vec3", "vec4", "int", "ivec2", "ivec3", "ivec4"};
-  const auto index = static_cast<std::size_t>(uniform.type);
-  if (index >= types.size()) return "";
+  if (uniform.type == UniformType::mat4) return "";
+  const UniformTypeInfo& type = info(uniform.type);
   std::ostringstream line;
   line.precision(9);
-  line << "const " << types[index] << ' ' << uniform.name << " = " << types[index] << '(';
-  for (std::size_t i = 0; i <= index % 4; ++i) line << (i == 0 ? "" : ", ") << uniform.value[i];
+  line << "const " << type.name << ' ' << uniform.name << " = " << type.name;
+  for (int i = 0; i < type.components; ++i)
+    line << (i == 0 ? "(" : ", ") << uniform.value[static_cast<std::size_t>(i)];
   line << ");\n";
   return line.str();
 }

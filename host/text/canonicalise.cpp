@@ -26,8 +26,7 @@ struct Edit {
 
 class Rewriter {
  public:
-  Rewriter(std::string_view text, bool zero_outputs)
-      : text_(text), zero_outputs_(zero_outputs), tokens_(tokenize(text)) {}
+  explicit Rewriter(std::string_view text) : text_(text), tokens_(tokenize(text)) {}
 
   std::string run() {
     find_declared();
@@ -39,10 +38,11 @@ class Rewriter {
       const Token& token = tokens_[i];
       if (token.preprocessor) continue;  // #extension or #pragma
       if (token.kind == Token::Kind::identifier &&
-          (later_words().contains(token.text) || renamed_.contains(token.text)))
-        edits_.push_back({token.begin, 0, "shadertwin_"});
+          (later_words().contains(token.text) || renamed_.contains(token.text) ||
+           token.text.starts_with("shadertwin_")))
+        rename(i);
       if (token.kind == Token::Kind::identifier && token.text.starts_with("iCh")) fix_channel_struct(i);
-      if (token.is("(") && opens_function(i)) fix_function(i);
+      if (token.is("(") && opens_function(i)) name_parameters(i);
       if (token.is("precision")) drop_precision(i);
       if (is_precision(token)) drop(i);
       // The last label of a switch needs a statement that does something.
@@ -221,7 +221,7 @@ class Rewriter {
   }
 
   // The parameters of a definition; a prototype may stay as it is.
-  void fix_function(std::size_t open) {
+  void name_parameters(std::size_t open) {
     std::size_t close = open;
     int depth = 0;
     for (; close < tokens_.size(); ++close) {
@@ -230,36 +230,23 @@ class Rewriter {
       if (tokens_[close].is("{") || tokens_[close].is(";")) return;
     }
     if (close + 1 >= tokens_.size() || !tokens_[close + 1].is("{")) return;
-    std::string zeros;
     std::size_t start = open + 1;
     depth = 0;
     for (std::size_t i = start; i <= close; ++i) {
       if (tokens_[i].is("[") || tokens_[i].is("(")) ++depth;
       if (tokens_[i].is("]") || (tokens_[i].is(")") && i < close)) --depth;
       if (i < close && (depth > 0 || !tokens_[i].is(","))) continue;
-      fix_parameter(start, i, zeros);
+      name_parameter(start, i);
       start = i + 1;
     }
-    if (zero_outputs_ && !zeros.empty()) edits_.push_back({tokens_[close + 1].end(), 0, zeros});
   }
 
-  void fix_parameter(std::size_t begin, std::size_t end, std::string& zeros) {
-    bool out = false;
-    for (; begin < end && qualifiers.contains(tokens_[begin].text); ++begin)
-      out = out || tokens_[begin].is("out");
+  void name_parameter(std::size_t begin, std::size_t end) {
+    while (begin < end && qualifiers.contains(tokens_[begin].text)) ++begin;
     if (begin >= end || !is_word(begin)) return;
-    const std::string_view type = tokens_[begin].text;
-    const bool array = std::any_of(tokens_.begin() + static_cast<std::ptrdiff_t>(begin),
-                                   tokens_.begin() + static_cast<std::ptrdiff_t>(end),
-                                   [](const Token& token) { return token.is("["); });
     const bool unnamed = begin + 1 == end || (tokens_[begin + 1].is("[") && tokens_[end - 1].is("]"));
-    if (unnamed && type != "void") {
+    if (unnamed && !tokens_[begin].is("void"))
       edits_.push_back({tokens_[end - 1].end(), 0, " shadertwin_unnamed_" + std::to_string(unnamed_++)});
-    } else if (out && !array && begin + 2 == end && value_types().contains(type)) {
-      const std::string name(tokens_[begin + 1].text);
-      const bool word = later_words().contains(name);
-      zeros += " " + std::string(word ? "shadertwin_" : "") + name + " = " + std::string(type) + "(0);";
-    }
   }
 
   std::string apply() {
@@ -276,7 +263,6 @@ class Rewriter {
   }
 
   std::string_view text_;
-  bool zero_outputs_;
   std::vector<Token> tokens_;
   std::vector<Edit> edits_;
   std::set<std::string_view> renamed_;
@@ -285,8 +271,8 @@ class Rewriter {
 
 }  // namespace
 
-std::string canonicalise(std::string_view text, Undefined undefined) {
-  return Rewriter(text, undefined == Undefined::zero).run();
+std::string canonicalise(std::string_view text) {
+  return Rewriter(text).run();
 }
 
 }  // namespace shadertwin

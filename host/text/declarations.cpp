@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-namespace shadertwin::emit {
+namespace shadertwin {
 namespace {
 
 std::set<std::string> builtin_types() {
@@ -26,7 +26,7 @@ const std::set<std::string> qualifiers = {"const",   "in",      "out",      "ino
 // Walks the tokens by the grammar of declarations and statements; expressions are only searched for names.
 class Scanner {
  public:
-  Scanner(const std::vector<Token>& tokens, std::vector<int>& declaration, std::vector<bool>& is_const,
+  Scanner(const std::vector<PlainToken>& tokens, std::vector<int>& declaration, std::vector<bool>& is_const,
           std::vector<Variable>& variables, std::vector<FunctionBody>& functions, std::vector<ForLoop>& loops)
       : tokens_(tokens),
         declaration_(declaration),
@@ -298,7 +298,7 @@ class Scanner {
     accept(";");
   }
 
-  const std::vector<Token>& tokens_;
+  const std::vector<PlainToken>& tokens_;
   std::vector<int>& declaration_;
   std::vector<bool>& is_const_;
   std::vector<Variable>& variables_;
@@ -312,9 +312,9 @@ class Scanner {
 
 }  // namespace
 
-Declarations::Declarations(const std::vector<Token>& tokens)
+Declarations::Declarations(const std::vector<PlainToken>& tokens)
     : declaration_(tokens.size(), -1), is_const_(tokens.size(), false) {
   Scanner(tokens, declaration_, is_const_, variables_, functions_, loops_).scan();
 }
 
-}  // namespace shadertwin::emit
+}  // namespace shadertwin

@@ -6,7 +6,7 @@
 
 #include "host/text/plain_tokens.h"
 
-namespace shadertwin::emit {
+namespace shadertwin {
 
 // A variable or parameter by its tokens.
 struct Variable {
@@ -44,7 +44,7 @@ struct ForLoop {
 
 class Declarations {
  public:
-  explicit Declarations(const std::vector<Token>& tokens);
+  explicit Declarations(const std::vector<PlainToken>& tokens);
 
   // The token that declares the variable which token `use` names (itself, if it is the declaration), or -1
   // when the token names no variable that is declared in the text.
@@ -68,4 +68,4 @@ class Declarations {
   std::vector<ForLoop> loops_;
 };
 
-}  // namespace shadertwin::emit
+}  // namespace shadertwin

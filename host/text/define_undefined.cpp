@@ -8,12 +8,13 @@
 
 #include "host/base/error.h"
 #include "host/text/loop_range.h"
+#include "host/text/render.h"
+#include "host/text/resolve_macros.h"
 #include "host/text/rewritten_lines.h"
 #include "host/text/syntax_tree.h"
 #include "host/text/zero_values.h"
 
 namespace shadertwin {
-namespace emit {
 namespace {
 
 // Clamps an index; stands in the head, where no macro of the user's has a meaning yet.
@@ -49,7 +50,7 @@ class ChoiceFinder : public glslang::TIntermTraverser {
 
 class DefinedText {
  public:
-  DefinedText(const std::vector<Token>& tokens, const Declarations& declarations)
+  DefinedText(const std::vector<PlainToken>& tokens, const Declarations& declarations)
       : tokens_(tokens), declarations_(declarations), values_(tokens, declarations), edits_(tokens) {}
 
   // Whether some index may be no constant, so that the types of what is indexed are needed.
@@ -178,7 +179,7 @@ class DefinedText {
     return text;
   }
 
-  const std::vector<Token>& tokens_;
+  const std::vector<PlainToken>& tokens_;
   const Declarations& declarations_;
   ZeroValues values_;
   RewrittenLines edits_;
@@ -197,13 +198,11 @@ Choices find_choices(const Project& project, const PassSource& source) {
 }
 
 }  // namespace
-}  // namespace emit
 
 std::optional<PassSource> define_undefined(const Project& project, const PassSource& source) {
-  using namespace emit;
   try {
-    const ParserLibrary library;
-    const std::vector<Token> tokens = preprocess(project, source);
+    throw_if_refused(source);
+    const std::vector<PlainToken> tokens = split_tokens(render(source));
     const Declarations declarations(tokens);
     DefinedText text(tokens, declarations);
     text.define_variables();

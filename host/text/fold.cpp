@@ -8,12 +8,14 @@
 #include <optional>
 #include <vector>
 
+#include "host/text/fold_matrix.h"
+
 using glslang::TIntermAggregate;
 using glslang::TIntermConstantUnion;
 using glslang::TIntermTyped;
 using glslang::TOperator;
 
-namespace shadertwin::emit {
+namespace shadertwin {
 namespace {
 
 // glslang calls its folding functions without a way to hand anything through them.
@@ -208,44 +210,6 @@ TIntermTyped* made_constant(const glslang::TConstUnionArray& values, const TInte
 }
 
 template <class T>
-using Columns = std::vector<std::vector<T>>;
-
-// Without that column and row.
-template <class T>
-Columns<T> minor(Columns<T> m, std::size_t column, std::size_t row) {
-  m.erase(m.begin() + static_cast<std::ptrdiff_t>(column));
-  for (auto& rows : m) rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(row));
-  return m;
-}
-
-template <class T>
-T determinant(const Columns<T>& m) {
-  if (m.size() == 1) return m[0][0];
-  T sum = 0;
-  for (std::size_t row = 0; row < m.size(); ++row)
-    sum += (row % 2 == 0 ? m[0][row] : -m[0][row]) * determinant(minor(m, 0, row));
-  return sum;
-}
-
-template <class T>
-std::vector<T> matrix_function(TOperator op, const Columns<T>& m) {
-  if (op == glslang::EOpDeterminant) return {determinant(m)};
-  std::vector<T> values;
-  if (op == glslang::EOpTranspose) {
-    for (std::size_t row = 0; row < m[0].size(); ++row)
-      for (const auto& column : m) values.push_back(column[row]);
-    return values;
-  }
-  const T whole = determinant(m);
-  for (std::size_t i = 0; i < m.size(); ++i)
-    for (std::size_t j = 0; j < m.size(); ++j) {
-      const T cofactor = determinant(minor(m, j, i));
-      values.push_back(((i + j) % 2 == 0 ? cofactor : -cofactor) / whole);
-    }
-  return values;
-}
-
-template <class T>
 glslang::TConstUnionArray fold_matrix(TOperator op, const TIntermConstantUnion& operand) {
   const int rows = operand.getMatrixRows();
   Columns<T> m(static_cast<std::size_t>(operand.getMatrixCols()));
@@ -341,7 +305,7 @@ ConstantFolding::~ConstantFolding() {
   folding = previous_;
 }
 
-}  // namespace shadertwin::emit
+}  // namespace shadertwin
 
 // The linker's --wrap sends glslang's calls of NAME here and calls of __real_NAME to glslang. A member
 // function takes its object as the first argument. NOLINTBEGIN(bugprone-reserved-identifier)
@@ -358,26 +322,26 @@ ConstantFolding::~ConstantFolding() {
 extern "C" {
 TIntermTyped* REAL(FOLD_BINARY)(const TIntermConstantUnion* left, TOperator op, const TIntermTyped* right);
 TIntermTyped* WRAP(FOLD_BINARY)(const TIntermConstantUnion* left, TOperator op, const TIntermTyped* right) {
-  const auto values = shadertwin::emit::fold_product(op, *left, *right);
-  return shadertwin::emit::corrected(REAL(FOLD_BINARY)(left, op, right), values);
+  const auto values = shadertwin::fold_product(op, *left, *right);
+  return shadertwin::corrected(REAL(FOLD_BINARY)(left, op, right), values);
 }
 
 TIntermTyped* REAL(FOLD_UNARY)(const TIntermConstantUnion* operand, TOperator op, const glslang::TType& type);
 TIntermTyped* WRAP(FOLD_UNARY)(const TIntermConstantUnion* operand, TOperator op,
                                const glslang::TType& type) {
-  if (TIntermTyped* node = shadertwin::emit::fold_matrix(op, *operand, type)) return node;
-  if (TIntermTyped* node = shadertwin::emit::fold_bits(op, *operand, type)) return node;
-  auto values = shadertwin::emit::fold_vector(op, *operand);
-  if (values.empty()) values = shadertwin::emit::fold_functions(op, *operand);
+  if (TIntermTyped* node = shadertwin::fold_matrix(op, *operand, type)) return node;
+  if (TIntermTyped* node = shadertwin::fold_bits(op, *operand, type)) return node;
+  auto values = shadertwin::fold_vector(op, *operand);
+  if (values.empty()) values = shadertwin::fold_functions(op, *operand);
   TIntermTyped* node = REAL(FOLD_UNARY)(operand, op, type);
-  if (node == nullptr) return shadertwin::emit::made_from(values, *operand, type);
-  return shadertwin::emit::corrected(node, values);
+  if (node == nullptr) return shadertwin::made_from(values, *operand, type);
+  return shadertwin::corrected(node, values);
 }
 
 TIntermTyped* REAL(FOLD_CALL)(glslang::TIntermediate* tree, TIntermAggregate* call);
 TIntermTyped* WRAP(FOLD_CALL)(glslang::TIntermediate* tree, TIntermAggregate* call) {
-  const auto values = shadertwin::emit::fold_call(*call);
-  return shadertwin::emit::corrected(REAL(FOLD_CALL)(tree, call), values);
+  const auto values = shadertwin::fold_call(*call);
+  return shadertwin::corrected(REAL(FOLD_CALL)(tree, call), values);
 }
 
 TIntermTyped* REAL(CALL)(glslang::TParseContext* parser, const glslang::TSourceLoc& loc,
@@ -386,7 +350,7 @@ TIntermTyped* WRAP(CALL)(glslang::TParseContext* parser, const glslang::TSourceL
                          glslang::TFunction* function, TIntermNode* arguments) {
   const bool is_length = function->getBuiltInOp() == glslang::EOpArrayLength;
   TIntermTyped* result = REAL(CALL)(parser, loc, function, arguments);
-  return is_length ? shadertwin::emit::with_effects(parser->intermediate, arguments, result, loc) : result;
+  return is_length ? shadertwin::with_effects(parser->intermediate, arguments, result, loc) : result;
 }
 
 TIntermConstantUnion* REAL(LITERAL)(const glslang::TIntermediate* tree, double value,
@@ -394,7 +358,7 @@ TIntermConstantUnion* REAL(LITERAL)(const glslang::TIntermediate* tree, double v
 TIntermConstantUnion* WRAP(LITERAL)(const glslang::TIntermediate* tree, double value,
                                     glslang::TBasicType type, const glslang::TSourceLoc& loc, bool literal) {
   TIntermConstantUnion* constant = REAL(LITERAL)(tree, value, type, loc, literal);
-  shadertwin::emit::rounded(constant);
+  shadertwin::rounded(constant);
   return constant;
 }
 }

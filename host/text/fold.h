@@ -8,7 +8,7 @@
 
 #include "host/text/syntax_tree.h"
 
-namespace shadertwin::emit {
+namespace shadertwin {
 
 // While it lives, constants of this thread are folded as `folding` says.
 class ConstantFolding {
@@ -22,4 +22,4 @@ class ConstantFolding {
   Folding previous_;
 };
 
-}  // namespace shadertwin::emit
+}  // namespace shadertwin

@@ -6,37 +6,15 @@
 #include "host/language/entry_points.h"
 #include "host/language/tokens.h"
 #include "host/project/host_rules.h"
+#include "host/project/kinds.h"
 #include "host/text/keyboard_text.h"
 #include "host/text/main_text.h"
+#include "host/text/map_log.h"
 #include "host/text/resolve_macros.h"
 
 namespace shadertwin {
 
 namespace {
-
-std::string_view glsl_name(UniformType type) {
-  switch (type) {
-    case UniformType::float1:
-      return "float";
-    case UniformType::float2:
-      return "vec2";
-    case UniformType::float3:
-      return "vec3";
-    case UniformType::float4:
-      return "vec4";
-    case UniformType::int1:
-      return "int";
-    case UniformType::int2:
-      return "ivec2";
-    case UniformType::int3:
-      return "ivec3";
-    case UniformType::int4:
-      return "ivec4";
-    case UniformType::mat4:
-      return "mat4";
-  }
-  return "float";
-}
 
 std::string_view sampler_name(const Project& project, const Input& input) {
   if (input.wanted() == InputKind::cubemap) return "samplerCube";
@@ -53,14 +31,11 @@ class Head {
 
   void line(std::string_view line) { text_.append(line) += '\n'; }
   void text(std::string_view lines) { text_ += lines; }
-  // A uniform, unless the user's text declares it as well. A macro of its name may use it.
+  // A uniform, unless the user's text declares it as well.
   void uniform(const std::string_view type, const std::string& name, int count = 1) {
     if (declares(tokens_, name, false)) return;
     const std::string size = count > 1 ? "[" + std::to_string(count) + "]" : "";
     line("uniform " + std::string(type) + " " + name + size + ";");
-  }
-  void macro(const std::string& name, std::string_view value) {
-    if (!declares(tokens_, name)) line("#define " + name + " " + std::string(value));
   }
   // What one of the hosts does not have: only for texts that use it.
   bool wanted(std::string_view name) const { return mentions(tokens_, name) && !declares(tokens_, name); }
@@ -71,16 +46,6 @@ class Head {
   std::string text_;
 };
 
-void add_common_uniforms(Head& head) {
-  head.uniform("vec3", "iResolution");
-  head.uniform("float", "iTime");
-  head.uniform("float", "iTimeDelta");
-  head.uniform("int", "iFrame");
-  head.uniform("vec4", "iDate");
-  head.uniform("vec4", "iMouse");
-  head.uniform("float", "iSampleRate");
-}
-
 void add_channels(Head& head, const Project& project, const Pass& pass, int channels) {
   head.uniform("vec3", "iChannelResolution", channels);
   for (int i = 0; i < channels; ++i)
@@ -88,42 +53,38 @@ void add_channels(Head& head, const Project& project, const Pass& pass, int chan
                  "iChannel" + std::to_string(i));
 }
 
-void add_vscode(Head& head, const Project& project, const Pass& pass) {
-  add_common_uniforms(head);
-  head.uniform("vec4", "iMouseButton");
-  head.uniform("mat4", "iViewMatrix");
-  add_channels(head, project, pass, max_channels);
-  head.uniform("sampler2D", "iKeyboard");
-  if (head.wanted("iFrameRate")) head.uniform("float", "iFrameRate");
-  if (head.wanted("iChannelTime")) head.uniform("float", "iChannelTime", 4);
-  if (head.wanted("saturate")) head.line("#define saturate(a) clamp(a, 0.0, 1.0)");
-  for (const CustomUniform& uniform : project.uniforms) head.uniform(glsl_name(uniform.type), uniform.name);
-  if (pass.keyboard) head.text(keyboard_text());
-}
-
-void add_shadertoy(Head& head, const Project& project, const Pass& pass) {
+void add_uniforms(Head& head, const Project& project, const Pass& pass) {
+  const HostRules rules = host_rules(project);
   if (pass.kind == PassKind::sound) {
     head.uniform("float", "iTimeOffset");
     head.uniform("int", "iSampleOffset");
     head.uniform("vec4", "iDate");
     head.uniform("float", "iSampleRate");
   } else {
-    add_common_uniforms(head);
-    head.uniform("float", "iFrameRate");
-    head.uniform("float", "iChannelTime", 4);
+    head.uniform("vec3", "iResolution");
+    head.uniform("float", "iTime");
+    head.uniform("float", "iTimeDelta");
+    head.uniform("int", "iFrame");
+    head.uniform("vec4", "iDate");
+    head.uniform("vec4", "iMouse");
+    head.uniform("float", "iSampleRate");
+    const auto wanted = [&](std::string_view name) { return !rules.has_local_inputs || head.wanted(name); };
+    if (wanted("iFrameRate")) head.uniform("float", "iFrameRate");
+    if (wanted("iChannelTime")) head.uniform("float", "iChannelTime", 4);
   }
-  add_channels(head, project, pass, 4);
+  if (rules.has_local_inputs) {
+    head.uniform("vec4", "iMouseButton");
+    head.uniform("mat4", "iViewMatrix");
+  }
+  add_channels(head, project, pass, rules.channels);
+  if (rules.has_local_inputs) {
+    head.uniform("sampler2D", "iKeyboard");
+    if (pass.keyboard) head.text(keyboard_text());
+  }
   for (std::size_t i = 0; i < 4; ++i)
     if (const std::string loaded = "shadertwin_loaded_" + std::to_string(i); head.wanted(loaded))
-      head.macro(loaded, pass.inputs[i].kind == InputKind::none ? "0" : "1");
-  for (const CustomUniform& uniform : project.uniforms) head.uniform(glsl_name(uniform.type), uniform.name);
-}
-
-void add_uniforms(Head& head, const Project& project, const Pass& pass) {
-  if (project.dialect == Dialect::shadertoy)
-    add_shadertoy(head, project, pass);
-  else
-    add_vscode(head, project, pass);
+      head.line("const int " + loaded + (pass.inputs[i].kind == InputKind::none ? " = 0;" : " = 1;"));
+  for (const CustomUniform& uniform : project.uniforms) head.uniform(info(uniform.type).name, uniform.name);
 }
 
 // `file:1: error: message` about the file that the text is from.
@@ -183,26 +144,35 @@ void write_host_text(const Project& project, Pass& pass, bool vr) {
   if (!entry.image && entry.main && is_vertex_shader(tokens))
     fail_in(project, pass, pass.source,
             "this is a vertex shader: a shader that is drawn names it by #iVertex");
-  const bool shadertoy = project.dialect == Dialect::shadertoy;
-  const bool asserts = shadertoy && pass.kind == PassKind::image && mentions(tokens, "st_assert");
+  const HostRules rules = host_rules(project);
+  const bool asserts = rules.has_asserts && pass.kind == PassKind::image && mentions(tokens, "st_assert");
   pass.has_vr = entry.vr;
   const std::optional<MainText> main = choose_main(project, pass, entry, vr, asserts);
 
   Head head(tokens);
   add_uniforms(head, project, pass);
-  pass.source.own_output = entry.output;
+  pass.source.own_output = entry.output_line > 0;
+  if (main && pass.source.own_output) {
+    throw_if_refused(pass.source);
+    throw Error(ExitStatus::shader,
+                place_in_body(project, pass.source, entry.output_line - 1) +
+                    ": error: an output of the shader's own, beside the one that its host "
+                    "writes: browsers refuse it");
+  }
   if (asserts) head.text(assert_text());
-  if (!main && shadertoy) head.line("#define gl_FragColor shadertoy_out_color");
 
-  // On shadertoy.com main() comes first.
   pass.source.tail.clear();
-  if (main && shadertoy)
+  if (main && rules.main_in_front)
     head.text(main->prototype + main->main);
   else if (main && pass.kind != PassKind::image && pass.kind != PassKind::buffer)
     pass.source.tail = main->prototype + main->main;
   else if (main)
     pass.source.tail = main->main;
   pass.source.head = head.take();
+  if (!main && !rules.takes_older_names)
+    pass.source.body = rename_identifiers(pass.source.body, [](std::string_view name) -> std::string_view {
+      return name == "gl_FragColor" ? "shadertoy_out_color" : name;
+    });
   if (pass.vertex.has_value()) wrap_vertex(project, pass, *pass.vertex);
 }
 

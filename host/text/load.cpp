@@ -10,7 +10,7 @@ Project load_project(const std::filesystem::path& shader, const LoadOptions& opt
   Project project = read_project(shader, options);
   const auto prepare = [&](PassSource& source, Stage stage) {
     resolve_macros(project, source, stage);
-    source.body = canonicalise(source.body, project.undefined);
+    source.body = canonicalise(source.body);
   };
   for (Pass& pass : project.passes) {
     prepare(pass.source, Stage::fragment);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-namespace shadertwin::emit {
+namespace shadertwin {
 namespace {
 
 constexpr std::array<std::string_view, 13> writing = {
@@ -23,7 +23,8 @@ struct Header {
 
 class LoopReader {
  public:
-  LoopReader(const std::vector<Token>& tokens, const Declarations& declarations, const ZeroValues& values)
+  LoopReader(const std::vector<PlainToken>& tokens, const Declarations& declarations,
+             const ZeroValues& values)
       : tokens_(tokens), declarations_(declarations), values_(values) {}
 
   std::optional<Header> range(const ForLoop& loop, int declaration) const {
@@ -81,15 +82,15 @@ class LoopReader {
                        });
   }
 
-  const std::vector<Token>& tokens_;
+  const std::vector<PlainToken>& tokens_;
   const Declarations& declarations_;
   const ZeroValues& values_;
 };
 
 }  // namespace
 
-bool stays_below(const std::vector<Token>& tokens, const Declarations& declarations, const ZeroValues& values,
-                 int use, int size) {
+bool stays_below(const std::vector<PlainToken>& tokens, const Declarations& declarations,
+                 const ZeroValues& values, int use, int size) {
   const int declaration = declarations.declaration_of(use);
   const LoopReader reader(tokens, declarations, values);
   for (const ForLoop& loop : declarations.loops()) {
@@ -101,4 +102,4 @@ bool stays_below(const std::vector<Token>& tokens, const Declarations& declarati
   return false;
 }
 
-}  // namespace shadertwin::emit
+}  // namespace shadertwin

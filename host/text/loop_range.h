@@ -8,11 +8,11 @@
 #include "host/text/plain_tokens.h"
 #include "host/text/zero_values.h"
 
-namespace shadertwin::emit {
+namespace shadertwin {
 
 // Whether token `use` names the variable of `for (int i = A; i < B; i++)` or the like, with constants, whose
 // values all lie in [0, size), and which nothing in the loop writes.
-bool stays_below(const std::vector<Token>& tokens, const Declarations& declarations, const ZeroValues& values,
-                 int use, int size);
+bool stays_below(const std::vector<PlainToken>& tokens, const Declarations& declarations,
+                 const ZeroValues& values, int use, int size);
 
-}  // namespace shadertwin::emit
+}  // namespace shadertwin

@@ -7,85 +7,18 @@
 #include "host/text/syntax_tree.h"
 
 namespace shadertwin {
-namespace emit {
 namespace {
 
 // Variables of every function that take what no variable of the user's takes. A compiler keeps to the order
 // of what is assigned to a precise variable, but not of what is returned or tested directly.
-constexpr const char* result = "shadertwin_result";
-constexpr const char* test = "shadertwin_test";
-
-// What GLSL ES 3.20 has and 3.00 leaves to the shader: keywords and built-in functions.
-const std::set<std::string>& claimed_names() {
-  static const std::set<std::string> names = {"atomicAdd",
-                                              "atomicAnd",
-                                              "atomicCompSwap",
-                                              "atomicCounter",
-                                              "atomicExchange",
-                                              "atomicMax",
-                                              "atomicMin",
-                                              "atomicOr",
-                                              "atomicXor",
-                                              "atomic_uint",
-                                              "barrier",
-                                              "bitCount",
-                                              "bitfieldExtract",
-                                              "bitfieldInsert",
-                                              "bitfieldReverse",
-                                              "buffer",
-                                              "coherent",
-                                              "findLSB",
-                                              "findMSB",
-                                              "fma",
-                                              "frexp",
-                                              "image2D",
-                                              "image2DArray",
-                                              "image3D",
-                                              "imageBuffer",
-                                              "imageCube",
-                                              "imageCubeArray",
-                                              "imageAtomicAdd",
-                                              "imageLoad",
-                                              "imageSize",
-                                              "imageStore",
-                                              "imulExtended",
-                                              "interpolateAtCentroid",
-                                              "interpolateAtOffset",
-                                              "interpolateAtSample",
-                                              "isamplerBuffer",
-                                              "ldexp",
-                                              "memoryBarrier",
-                                              "packSnorm4x8",
-                                              "packUnorm4x8",
-                                              "patch",
-                                              "precise",
-                                              "readonly",
-                                              "restrict",
-                                              "sample",
-                                              "samplerBuffer",
-                                              "samplerCubeArray",
-                                              "shared",
-                                              "texture2D",
-                                              "textureGather",
-                                              "textureGatherOffset",
-                                              "textureGatherOffsets",
-                                              "uaddCarry",
-                                              "umulExtended",
-                                              "unpackSnorm4x8",
-                                              "unpackUnorm4x8",
-                                              "usamplerBuffer",
-                                              "usubBorrow",
-                                              "volatile",
-                                              "writeonly"};
-  return names;
-}
+constexpr const char* result_name = "shadertwin_result";
+constexpr const char* test_name = "shadertwin_test";
 
 class PreciseText {
  public:
   explicit PreciseText(const SyntaxTree& tree)
       : tokens_(tree.tokens()), declarations_(tree.declarations()), edits_(tokens_) {
     for (int i = 0; i < size(); ++i) {
-      if (claimed_names().count(text(i)) != 0) after_[i] = "_";
       if (declarations_.is_declaration(i)) mark_declaration(i);
     }
     mark_statements();
@@ -171,18 +104,18 @@ class PreciseText {
       if (token == "{" && depth++ == 0) {
         const bool is_function = text(i - 1) == ")";
         returns_one_value = is_function && text(start) != "void" && text(start + 1) != "[";
-        if (is_function) after_[i] += std::string(" precise bool ") + test + ";";
-        if (returns_one_value) after_[i] += " precise " + text(start) + ' ' + result + ";";
+        if (is_function) after_[i] += std::string(" precise bool ") + test_name + ";";
+        if (returns_one_value) after_[i] += " precise " + text(start) + ' ' + result_name + ";";
       }
       if (token == "}") --depth;
       if (depth == 0 && (token == ";" || token == "}" || token[0] == '#')) start = skip_qualifiers(i + 1);
       if (depth == 0) continue;
-      if (token == "if" || token == "while") assign(test, i + 2, closing(i + 1));
+      if (token == "if" || token == "while") assign(test_name, i + 2, closing(i + 1));
       if (token == "for") {
         const int condition = end_of_statement(i) + 1;
-        assign(test, condition, end_of_statement(condition));
+        assign(test_name, condition, end_of_statement(condition));
       }
-      if (token == "return" && returns_one_value) assign(result, i + 1, end_of_statement(i));
+      if (token == "return" && returns_one_value) assign(result_name, i + 1, end_of_statement(i));
     }
   }
 
@@ -192,7 +125,7 @@ class PreciseText {
     return token;
   }
 
-  const std::vector<Token>& tokens_;
+  const std::vector<PlainToken>& tokens_;
   const Declarations& declarations_;
   RewrittenLines edits_;
   std::vector<std::string>& before_ = edits_.before;
@@ -200,12 +133,11 @@ class PreciseText {
 };
 
 }  // namespace
-}  // namespace emit
 
 PassSource make_precise(const Project& project, const PassSource& source) {
-  const emit::SyntaxTree tree(project, source, emit::Folding::float32);
-  const emit::SectionLines sections(source);
-  PassSource result = sections.split(emit::PreciseText(tree).lines(sections.all()));
+  const SyntaxTree tree(project, source, Folding::float32);
+  const SectionLines sections(source);
+  PassSource result = sections.split(PreciseText(tree).lines(sections.all()));
   result.precise = true;
   return result;
 }

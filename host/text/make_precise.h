@@ -8,7 +8,7 @@ namespace shadertwin {
 
 // The source for GLSL ES 3.20, preprocessed, with `precise` on all that is computed: variables, parameters,
 // outputs, returned values and conditions. Lines stay where they were, so that messages still name the user's
-// files. Names that GLSL ES 3.20 claims get an underscore. Throws Error(shader) as emit_cpp does.
+// files. Throws Error(shader) as emit_cpp does.
 PassSource make_precise(const Project& project, const PassSource& source);
 
 }  // namespace shadertwin

@@ -56,6 +56,17 @@ bool is_end(const std::string& line) {
 
 }  // namespace
 
+std::string place_in_body(const Project& project, const PassSource& source, int line) {
+  if (line < 0 || source.lines.empty()) return "";
+  const auto index = std::min(static_cast<std::size_t>(line), source.lines.size() - 1);
+  const SourceLine& place = source.lines[index];
+  if (place.file >= 0)
+    return project.files[static_cast<std::size_t>(place.file)] + ":" + std::to_string(place.line);
+  if (index >= project.defines.size()) return "";
+  const auto& [name, value] = project.defines[index];
+  return "-D " + name + (value.empty() ? "" : "=" + value);
+}
+
 std::string map_log(const Project& project, const PassSource& source, const std::string& log) {
   const int first = first_body_line(source);
   static const std::string candidates = "; candidates are:";
@@ -67,18 +78,8 @@ std::string map_log(const Project& project, const PassSource& source, const std:
     if (line.ends_with(candidates)) line.resize(line.size() - candidates.size());
     if (!mapped.empty()) mapped += '\n';
     const std::optional<Message> message = parse(line);
-    const int index = message ? message->line - first : -1;
-    if (index < 0 || source.lines.empty()) {
-      mapped += line;
-      continue;
-    }
-    const int last = static_cast<int>(source.lines.size()) - 1;
-    const SourceLine& place = source.lines[static_cast<std::size_t>(std::min(index, last))];
-    if (place.file < 0)
-      mapped += line;
-    else
-      mapped += project.files[static_cast<std::size_t>(place.file)] + ":" + std::to_string(place.line) +
-                ": " + message->text;
+    const std::string place = message ? place_in_body(project, source, message->line - first) : "";
+    mapped += place.empty() ? line : place + ": " + message->text;
   }
   return mapped;
 }

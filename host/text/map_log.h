@@ -7,6 +7,10 @@
 
 namespace shadertwin {
 
+// `file:line` of a line of the body, from 0: its last one stands for all behind it. `-D NAME=VALUE` for what
+// the command line defines, nothing for other lines that no file has.
+std::string place_in_body(const Project& project, const PassSource& source, int line);
+
 // Turns a compiler's log about render(source) into lines `file:line: error: text`. Knows the forms of Mesa
 // (`0:12(5): error: ...`), NVIDIA (`0(12) : error C0000: ...`), ANGLE and glslang (`ERROR: 0:12: ...`). A
 // line about what stands in front of the body is kept as it is; what lies behind the body (a missing brace is

@@ -1,57 +1,48 @@
 #include "host/text/resolve_macros.h"
 
-#include <algorithm>
-
 #include "host/base/error.h"
 #include "host/language/nesting.h"
 #include "host/language/preprocessor.h"
 #include "host/language/tokens.h"
+#include "host/project/host_rules.h"
 #include "host/text/legacy_names.h"
+#include "host/text/map_log.h"
 
 namespace shadertwin {
 
 namespace {
 
-using Macros = std::vector<std::pair<std::string, std::string>>;
+using Macros = std::vector<HostMacro>;
 
 // Those that a shader can ask for by #ifdef.
 Macros host_macros(const Project& project, Stage stage) {
   Macros macros;
   // Only local hosts have vertex shaders.
-  if (project.local || stage == Stage::vertex) macros.emplace_back("SHADER_TOY", "");
-  if (project.dialect == Dialect::shadertoy) macros.emplace_back("HW_PERFORMANCE", "1");
+  if (project.local || stage == Stage::vertex) macros.push_back({"SHADER_TOY", ""});
+  if (host_rules(project).has_performance) macros.push_back({"HW_PERFORMANCE", "1"});
   return macros;
 }
 
 // Other names, which the extension and three.js, which it draws with, give to what GLSL ES 3.00 has.
 Macros other_names(Stage stage) {
-  Macros names;
-  for (const auto& [name, meaning] : legacy_names) names.emplace_back(name, meaning);
-  names.emplace_back("HW_PERFORMANCE", "1");
-  if (stage == Stage::vertex) {
-    names.emplace_back("attribute", "in");
-    names.emplace_back("varying", "out");
-  } else {
-    names.emplace_back("varying", "in");
-    names.emplace_back("gl_FragColor", "shadertoy_out_color");
-    names.emplace_back("gl_FragDepthEXT", "gl_FragDepth");
-    names.emplace_back("GLSL_FRAGCOLOR", "gl_FragColor");
-  }
+  Macros names = {{"HW_PERFORMANCE", "1"}, {"saturate", "clamp(a, 0.0, 1.0)", {"a"}}};
+  for (const auto& [name, meaning] : legacy_names) names.push_back({name, meaning});
+  if (stage == Stage::vertex)
+    names.insert(names.end(), {{"attribute", "in"}, {"varying", "out"}});
+  else
+    names.insert(names.end(), {{"varying", "in"},
+                               {"gl_FragColor", "shadertoy_out_color"},
+                               {"gl_FragDepthEXT", "gl_FragDepth"},
+                               {"GLSL_FRAGCOLOR", "gl_FragColor"}});
   return names;
 }
 
 // `name:line: error: message`, as a compiler's messages are mapped.
 std::string refusals(const Project& project, const PassSource& source, const PlainText& plain) {
   std::string text;
-  for (const Diagnostic& error : plain.errors) {
-    const auto last = static_cast<int>(source.lines.size()) - 1;
-    const SourceLine place =
-        last < 0 ? SourceLine{} : source.lines[static_cast<std::size_t>(std::clamp(error.line - 1, 0, last))];
-    const std::string at = place.file < 0 ? "-D"
-                                          : project.files[static_cast<std::size_t>(place.file)] + ":" +
-                                                std::to_string(place.line);
-    text += (text.empty() ? "" : "\n") + at + ": error: " + error.message;
-  }
+  for (const Diagnostic& error : plain.errors)
+    text += (text.empty() ? "" : "\n") + place_in_body(project, source, error.line - 1) +
+            ": error: " + error.message;
   return text;
 }
 
@@ -61,19 +52,19 @@ void resolve_macros(const Project& project, PassSource& source, Stage stage) {
   PreprocessOptions options;
   options.predefined = host_macros(project, stage);
   // Files for a local host may ask for extensions in front of all; on the site there is code before them.
-  options.behind_head = project.dialect == Dialect::shadertoy;
+  options.behind_head = host_rules(project).code_in_front;
   const int lines = std::max(static_cast<int>(source.lines.size()), count_lines(source.body));
   PlainText plain = preprocess(source.body, options);
-  if (project.dialect == Dialect::vscode) {
+  if (host_rules(project).takes_older_names) {
     Macros names = other_names(stage);
     const std::vector<Token> written = tokenize(source.body);
-    std::erase_if(names, [&](const auto& name) { return !mentions(written, name.first); });
+    std::erase_if(names, [&](const HostMacro& macro) { return !mentions(written, macro.name); });
     if (!names.empty()) {
       // The shader's own meaning of a name wins.
       const std::string code = to_text(plain, lines);
       const std::vector<Token> tokens = tokenize(code);
-      for (auto& [name, meaning] : names)
-        if (!declares(tokens, name)) options.predefined.emplace_back(std::move(name), std::move(meaning));
+      for (HostMacro& macro : names)
+        if (!declares(tokens, macro.name)) options.predefined.push_back(std::move(macro));
       plain = preprocess(source.body, options);
     }
   }

@@ -4,7 +4,7 @@
 
 #include "host/text/render.h"
 
-namespace shadertwin::emit {
+namespace shadertwin {
 namespace {
 
 int line_count(const std::string& text) {
@@ -45,4 +45,4 @@ PassSource SectionLines::split(const std::vector<std::string>& lines) const {
   return result;
 }
 
-}  // namespace shadertwin::emit
+}  // namespace shadertwin

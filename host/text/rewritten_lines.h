@@ -7,10 +7,10 @@
 #include "host/project/project.h"
 #include "host/text/plain_tokens.h"
 
-namespace shadertwin::emit {
+namespace shadertwin {
 
 struct RewrittenLines {
-  explicit RewrittenLines(const std::vector<Token>& all)
+  explicit RewrittenLines(const std::vector<PlainToken>& all)
       : before(all.size()), after(all.size()), tokens(all) {}
 
   // Line i holds the tokens of line i + 1.
@@ -18,7 +18,7 @@ struct RewrittenLines {
 
   std::vector<std::string> before;  // in front of the token of that number
   std::vector<std::string> after;
-  const std::vector<Token>& tokens;
+  const std::vector<PlainToken>& tokens;
 };
 
 // Where head, body and tail of a pass begin and end in its rendered text.
@@ -41,4 +41,4 @@ class SectionLines {
   int tail_;
 };
 
-}  // namespace shadertwin::emit
+}  // namespace shadertwin

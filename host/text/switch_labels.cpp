@@ -5,11 +5,11 @@
 #include <cctype>
 #include <string_view>
 
-namespace shadertwin::emit {
+namespace shadertwin {
 namespace {
 
 // The bracket that closes the one at `open`; the end of the tokens if there is none.
-std::size_t closing(const std::vector<Token>& tokens, std::size_t open) {
+std::size_t closing(const std::vector<PlainToken>& tokens, std::size_t open) {
   const std::string& opener = tokens[open].text;
   const std::string closer = opener == "(" ? ")" : "}";
   int depth = 0;
@@ -21,13 +21,13 @@ std::size_t closing(const std::vector<Token>& tokens, std::size_t open) {
 }
 
 // Whether statements compute nothing and jump nowhere.
-bool do_nothing(const std::vector<Token>& tokens, std::size_t first, std::size_t end) {
+bool do_nothing(const std::vector<PlainToken>& tokens, std::size_t first, std::size_t end) {
   static constexpr std::array<std::string_view, 9> harmless = {";", ",", ".", "[", "]", "{", "}", "+", "-"};
   static constexpr std::array<std::string_view, 12> acting = {"break", "continue", "return", "discard",
                                                               "if",    "else",     "for",    "while",
                                                               "do",    "switch",   "case",   "default"};
   return std::all_of(tokens.begin() + static_cast<std::ptrdiff_t>(first),
-                     tokens.begin() + static_cast<std::ptrdiff_t>(end), [](const Token& token) {
+                     tokens.begin() + static_cast<std::ptrdiff_t>(end), [](const PlainToken& token) {
                        const auto c = static_cast<unsigned char>(token.text[0]);
                        if (std::isalnum(c) == 0 && c != '_')
                          return std::find(harmless.begin(), harmless.end(), token.text) != harmless.end();
@@ -36,7 +36,7 @@ bool do_nothing(const std::vector<Token>& tokens, std::size_t first, std::size_t
 }
 
 // The colon of the label at `label`: in `case a ? 1 : 2:` the second one.
-std::size_t colon_of(const std::vector<Token>& tokens, std::size_t label) {
+std::size_t colon_of(const std::vector<PlainToken>& tokens, std::size_t label) {
   int choices = 0;
   for (std::size_t i = label; i < tokens.size(); ++i) {
     if (tokens[i].text == "?") ++choices;
@@ -47,7 +47,7 @@ std::size_t colon_of(const std::vector<Token>& tokens, std::size_t label) {
 
 }  // namespace
 
-std::vector<Token> with_kept_labels(std::vector<Token> tokens) {
+std::vector<PlainToken> with_kept_labels(std::vector<PlainToken> tokens) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     if (tokens[i].text != "switch" || tokens[i + 1].text != "(") continue;
     const std::size_t open = closing(tokens, i + 1) + 1;
@@ -67,4 +67,4 @@ std::vector<Token> with_kept_labels(std::vector<Token> tokens) {
   return tokens;
 }
 
-}  // namespace shadertwin::emit
+}  // namespace shadertwin

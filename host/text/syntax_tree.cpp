@@ -13,10 +13,17 @@
 #include "host/text/resolve_macros.h"
 #include "host/text/switch_labels.h"
 
-namespace shadertwin::emit {
+namespace shadertwin {
 namespace {
 
 constexpr int version = 300;
+
+// glslang's tables of built-ins. They take as long as a large shader to make, so they are kept.
+struct Library {
+  Library() { glslang::InitializeProcess(); }
+  ~Library() { glslang::FinalizeProcess(); }
+};
+
 EShMessages messages_for(Errors errors) {
   return errors == Errors::all ? EShMsgCascadingErrors : EShMsgDefault;
 }
@@ -27,7 +34,7 @@ int line_count(const std::string& text) {
 
 // glslang numbers its messages by token; map_log wants lines.
 // `lines`: of the whole text. What is missing at its end is told behind the last token.
-std::string log_by_line(const std::string& log, const std::vector<Token>& tokens, int lines) {
+std::string log_by_line(const std::string& log, const std::vector<PlainToken>& tokens, int lines) {
   std::istringstream in(log);
   std::string out;
   for (std::string line; std::getline(in, line);) {
@@ -52,25 +59,13 @@ std::string log_by_line(const std::string& log, const std::vector<Token>& tokens
 
 }  // namespace
 
-std::vector<Token> preprocess(const Project& project, const PassSource& source, Errors errors) {
-  throw_if_refused(source);
-  const std::string text = render(source);
-  const char* strings = text.c_str();
-  glslang::TShader preprocessor(EShLangFragment);
-  preprocessor.setStrings(&strings, 1);
-  std::string preprocessed;
-  glslang::TShader::ForbidIncluder no_includes;
-  if (!preprocessor.preprocess(GetDefaultResources(), version, EEsProfile, false, false, messages_for(errors),
-                               &preprocessed, no_includes))
-    refuse(project, source, preprocessor.getInfoLog());
-  return split_tokens(preprocessed);
-}
-
 SyntaxTree::SyntaxTree(const Project& project, const PassSource& source, Folding folding, Errors errors)
     : project_(project), source_(source), first_body_line_(first_body_line(source)) {
-  tokens_ = preprocess(project, source, errors);
+  static const Library library;
+  throw_if_refused(source);
+  tokens_ = split_tokens(render(source));
   is_precise_ =
-      std::any_of(tokens_.begin(), tokens_.end(), [](const Token& t) { return t.text == "precise"; });
+      std::any_of(tokens_.begin(), tokens_.end(), [](const PlainToken& t) { return t.text == "precise"; });
   const std::string lines = one_token_a_line(with_kept_labels(tokens_));
   const char* strings = lines.c_str();
   shader_ = std::make_unique<glslang::TShader>(EShLangFragment);
@@ -110,4 +105,4 @@ std::string SyntaxTree::place_of(const TIntermNode& node) const {
   return project_.files[line.file] + ':' + std::to_string(line.line);
 }
 
-}  // namespace shadertwin::emit
+}  // namespace shadertwin

@@ -13,26 +13,13 @@
 #include "host/text/declarations.h"
 #include "host/text/plain_tokens.h"
 
-namespace shadertwin::emit {
+namespace shadertwin {
 
 // Whether constant expressions are folded in the float arithmetic that a GPU's compiler uses, or in double.
 enum class Folding { float32, float64 };
 
 // Whether a parse that fails tells its first error or all of them; later ones may follow from the first.
 enum class Errors { first, all };
-
-// Keeps glslang's tables alive. They are counted, so one that lives longer makes every other one cheap.
-class ParserLibrary {
- public:
-  ParserLibrary() { glslang::InitializeProcess(); }
-  ~ParserLibrary() { glslang::FinalizeProcess(); }
-  ParserLibrary(const ParserLibrary&) = delete;
-  ParserLibrary& operator=(const ParserLibrary&) = delete;
-};
-
-// The tokens of a pass's whole text, preprocessed. Throws Error(shader). Needs a ParserLibrary.
-std::vector<Token> preprocess(const Project& project, const PassSource& source,
-                              Errors errors = Errors::first);
 
 class SyntaxTree {
  public:
@@ -43,7 +30,7 @@ class SyntaxTree {
 
   // The sequence of everything global: initialisers, functions, and the list of global names.
   const glslang::TIntermAggregate& root() const { return *root_; }
-  const std::vector<Token>& tokens() const { return tokens_; }
+  const std::vector<PlainToken>& tokens() const { return tokens_; }
   const Declarations& declarations() const { return *declarations_; }
 
   // Whether the text says `precise`, so that a GPU's compiler keeps to the order of its operations.
@@ -64,11 +51,10 @@ class SyntaxTree {
   const PassSource& source_;
   int first_body_line_ = 0;
   bool is_precise_ = false;
-  ParserLibrary library_;
   std::unique_ptr<glslang::TShader> shader_;
-  std::vector<Token> tokens_;
+  std::vector<PlainToken> tokens_;
   std::unique_ptr<Declarations> declarations_;
   const glslang::TIntermAggregate* root_ = nullptr;
 };
 
-}  // namespace shadertwin::emit
+}  // namespace shadertwin

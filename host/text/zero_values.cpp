@@ -4,7 +4,7 @@
 #include <charconv>
 #include <set>
 
-namespace shadertwin::emit {
+namespace shadertwin {
 namespace {
 
 // More would be slow to compile, and a loop does as well.
@@ -15,7 +15,7 @@ const std::set<std::string> precisions = {"highp", "mediump", "lowp"};
 // Constant integer expressions by recursive descent. Operands are literals, constants and array sizes.
 class ConstantExpression {
  public:
-  ConstantExpression(const ZeroValues& values, const std::vector<Token>& tokens,
+  ConstantExpression(const ZeroValues& values, const std::vector<PlainToken>& tokens,
                      const Declarations& declarations, int first, int end)
       : values_(values), tokens_(tokens), declarations_(declarations), at_(first), end_(end) {}
 
@@ -124,7 +124,7 @@ class ConstantExpression {
   }
 
   const ZeroValues& values_;
-  const std::vector<Token>& tokens_;
+  const std::vector<PlainToken>& tokens_;
   const Declarations& declarations_;
   int at_;
   int end_;
@@ -150,7 +150,7 @@ std::string builtin_zero(const std::string& type) {
 
 }  // namespace
 
-ZeroValues::ZeroValues(const std::vector<Token>& tokens, const Declarations& declarations)
+ZeroValues::ZeroValues(const std::vector<PlainToken>& tokens, const Declarations& declarations)
     : tokens_(tokens), declarations_(declarations) {
   for (const Variable& variable : declarations_.variables()) {
     if (variable.name >= 0) variables_[variable.name] = &variable;
@@ -264,4 +264,4 @@ std::string ZeroValues::of_element(const Variable& variable) const {
   return on_type || variable.end > variable.name + 1 ? plain(variable.type).text : "";
 }
 
-}  // namespace shadertwin::emit
+}  // namespace shadertwin

@@ -10,11 +10,11 @@
 #include "host/text/declarations.h"
 #include "host/text/plain_tokens.h"
 
-namespace shadertwin::emit {
+namespace shadertwin {
 
 class ZeroValues {
  public:
-  ZeroValues(const std::vector<Token>& tokens, const Declarations& declarations);
+  ZeroValues(const std::vector<PlainToken>& tokens, const Declarations& declarations);
 
   // `vec3(0)`, `Ray(vec3(0), float[2](0.0, 0.0))`: empty if the type has no such constructor, or one that
   // would be too long to write.
@@ -53,10 +53,10 @@ class ZeroValues {
   Text sized(int type, int first, int end) const;
   Text whole(int type, int type_end, int name, int end) const;
 
-  const std::vector<Token>& tokens_;
+  const std::vector<PlainToken>& tokens_;
   const Declarations& declarations_;
   std::vector<Structure> structures_;
   std::map<int, const Variable*> variables_;
 };
 
-}  // namespace shadertwin::emit
+}  // namespace shadertwin

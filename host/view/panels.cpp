@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "host/project/kinds.h"
 #include "host/view/keys.h"
 
 namespace shadertwin::view {
@@ -23,9 +24,7 @@ void put(float x, float y, ImVec2 pivot) {
 }
 
 bool edit(const CustomUniform& uniform, UniformValue& value) {
-  const bool integer = uniform.type >= UniformType::int1 && uniform.type <= UniformType::int4;
-  const auto count = 1 + static_cast<int>(uniform.type) -
-                     static_cast<int>(integer ? UniformType::int1 : UniformType::float1);
+  const int count = info(uniform.type).components;
   const char* name = uniform.name.c_str();
   if (uniform.type == UniformType::mat4) {
     ImGui::TextDisabled("%s (mat4)", name);
@@ -33,7 +32,7 @@ bool edit(const CustomUniform& uniform, UniformValue& value) {
   }
   if (uniform.is_color && count == 3) return ImGui::ColorEdit3(name, value.data(), ImGuiColorEditFlags_Float);
   if (uniform.is_color && count == 4) return ImGui::ColorEdit4(name, value.data(), ImGuiColorEditFlags_Float);
-  if (integer) {
+  if (info(uniform.type).is_integer) {
     std::array<int, 4> numbers{};
     for (std::size_t i = 0; i < 4; ++i) numbers[i] = static_cast<int>(value[i]);
     const int low = static_cast<int>(uniform.min[0]);

@@ -2,6 +2,8 @@
 
 #include <charconv>
 
+#include "host/project/kinds.h"
+
 namespace shadertwin::view {
 
 namespace {
@@ -21,16 +23,13 @@ std::string number(double value) {
 }
 
 std::string glsl_value(UniformType type, const UniformValue& value) {
-  const bool integer = type >= UniformType::int1 && type <= UniformType::int4;
-  const int count =
-      1 + static_cast<int>(type) - static_cast<int>(integer ? UniformType::int1 : UniformType::float1);
   const auto component = [&](int i) {
     const float v = value[static_cast<std::size_t>(i)];
-    return integer ? std::to_string(static_cast<int>(v)) : number(v);
+    return info(type).is_integer ? std::to_string(static_cast<int>(v)) : number(v);
   };
-  if (count == 1) return component(0);
-  std::string text = (integer ? "ivec" : "vec") + std::to_string(count) + '(';
-  for (int i = 0; i < count; ++i) text += (i == 0 ? "" : ", ") + component(i);
+  if (info(type).components == 1) return component(0);
+  std::string text = std::string(info(type).name) + '(';
+  for (int i = 0; i < info(type).components; ++i) text += (i == 0 ? "" : ", ") + component(i);
   return text + ')';
 }
 

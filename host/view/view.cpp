@@ -9,6 +9,7 @@
 #include "host/base/error.h"
 #include "host/image/image.h"
 #include "host/text/load.h"
+#include "host/view/canvas.h"
 #include "host/view/capture.h"
 #include "host/view/dashboard.h"
 #include "host/view/keys.h"
@@ -29,21 +30,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int settling_frames = 3;  // Dear ImGui needs so many to take in what happened
 
-struct Scale {
-  int times;
-  int divided_by;
-  const char* name;
-};
-constexpr std::array<Scale, 4> scales = {{{1, 1, ""}, {1, 2, " (1/2)"}, {1, 4, " (1/4)"}, {2, 1, " (2)"}}};
-
-int pass_called(const Project& project, const std::string& name) {
-  const int pass = find_pass(project, name);
-  if (pass >= 0) return pass;
-  std::string names;
-  for (const Pass& p : project.passes) names += (names.empty() ? "" : ", ") + p.name;
-  throw Error(ExitStatus::usage, "--pass " + name + ": the passes are " + names);
-}
-
 class View {
  public:
   explicit View(const ViewOptions& options)
@@ -61,7 +47,7 @@ class View {
                }),
         reloader_([this](const fs::path& shader) { return load(shader); }, options.shader, playing_.project(),
                   read_) {
-    if (!options.pass.empty()) playing_.show(pass_called(playing_.project(), options.pass));
+    if (!options.pass.empty()) playing_.show(need_pass(playing_.project(), options.pass));
     name_window();
   }
 
@@ -154,7 +140,7 @@ class View {
         }
         set_button(event.code, true);
         input(playing_.hears_mouse(),
-              [&] { clock_.mouse().press(to_picture(event.position), drawn_size()); });
+              [&] { clock_.mouse().press(canvas_.to_picture(event.position), canvas_.size()); });
         break;
       case Event::Kind::button_up:
         set_button(event.code, false);
@@ -164,7 +150,7 @@ class View {
         cursor_ = event.position;
         if (clock_.mouse().down())
           input(playing_.hears_mouse(),
-                [&] { clock_.mouse().move(to_picture(event.position), drawn_size()); });
+                [&] { clock_.mouse().move(canvas_.to_picture(event.position), canvas_.size()); });
         break;
       case Event::Kind::drop:
         reloader_.open(event.file);
@@ -187,18 +173,6 @@ class View {
     if (button == 0) left_ = down;
     if (button == 1) right_ = down;
     clock_.set_buttons(left_, right_);
-  }
-
-  glm::ivec2 drawn_size() const {
-    const Scale& scale = scales[scale_];
-    return glm::max(window_.pixels() * scale.times / scale.divided_by, glm::ivec2(1));
-  }
-
-  // From window units, y down, to pixels of the picture, y up.
-  glm::dvec2 to_picture(glm::dvec2 position) const {
-    const glm::dvec2 size(drawn_size());
-    const glm::dvec2 scaled = position / glm::dvec2(glm::max(window_.size(), glm::ivec2(1))) * size;
-    return {scaled.x, size.y - scaled.y};
   }
 
   void perform(Action action) {
@@ -225,7 +199,7 @@ class View {
         name_window();
         break;
       case Action::scale:
-        scale_ = (scale_ + 1) % scales.size();
+        canvas_.rescale();
         break;
       case Action::full_screen:
         window_.toggle_full_screen();
@@ -277,8 +251,9 @@ class View {
     const std::string pass = playing_.shows_last() ? "" : playing_.shown().name;
     const FrameCommand command{playing_.shader().string(), all_options(), options_.clock.rate.value_or(0.0),
                                options_.clock.t0, options_.clock.date};
-    std::fputs(commands_for_pixel(command, *frame_, pass, place_in(picture, across(position)).at).c_str(),
-               stdout);
+    std::fputs(
+        commands_for_pixel(command, *frame_, pass, place_in(picture, canvas_.across(position)).at).c_str(),
+        stdout);
     std::fflush(stdout);
   }
 
@@ -287,12 +262,6 @@ class View {
     const std::string edits = playing_.uniforms().edits_as_options();
     if (!edits.empty()) text += (text.empty() ? "" : " ") + edits;
     return text;
-  }
-
-  // 0 to 1 across the window, y up.
-  glm::dvec2 across(glm::dvec2 position) const {
-    const glm::dvec2 unit = (position + 0.5) / glm::dvec2(glm::max(window_.size(), glm::ivec2(1)));
-    return {unit.x, 1.0 - unit.y};
   }
 
   // The picture.
@@ -317,7 +286,7 @@ class View {
       waiting_ = !playing_.stage().ready();
       if (waiting_) return false;
       if (was_waiting) record();
-      const glm::ivec2 size = drawn_size();
+      const glm::ivec2 size = canvas_.size();
       if (pixels_.x != 0 && size != pixels_) clock_.restart_frames();
       if (halted_at_.has_value() && *halted_at_ == size) return was_waiting;
       if (!clock_.due()) return was_waiting;
@@ -345,7 +314,7 @@ class View {
     } catch (const Error& e) {
       dashboard_.lay_over(e.what());
       sound_.rest();
-      halted_at_ = drawn_size();
+      halted_at_ = canvas_.size();
       settling_ = settling_frames;
       return false;
     }
@@ -384,11 +353,11 @@ class View {
                 .presenter = presenter_,
                 .clock = clock_,
                 .size = pixels_,
-                .scale = scales[scale_].name,
+                .scale = canvas_.scale(),
                 .samples = {},
                 .sample_seconds = 0.0,
                 .recorded = capture_.recorded(),
-                .cursor = across(cursor_)};
+                .cursor = canvas_.across(cursor_)};
     if (playing_.accumulates() && samples_start_.has_value()) {
       scene.samples = samples_;
       scene.sample_seconds = std::chrono::duration<double>(Clock::now() - *samples_start_).count();
@@ -398,12 +367,12 @@ class View {
 
   ViewOptions options_;
   Window window_;  // before everything that lives in its contexts
+  Canvas canvas_{window_};
   Dashboard dashboard_;
   Presenter presenter_;
   FileWatch::Stamp read_;  // when reading the first project began
   Playing playing_;
   LiveClock clock_;
-  std::size_t scale_ = 0;
   glm::ivec2 pixels_{0};                 // of the last frame
   std::optional<Frame> frame_;           // the last one of what plays now
   bool screenshot_due_ = false;          // asked for before there was one

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/text/syntax_tree.h"
+#include "reference/check/parsed_pass.h"
 #include "reference/check/rules.h"
 
 namespace shadertwin::check {
@@ -78,20 +78,19 @@ class OperatorFinder : public TIntermTraverser {
 
 class Limits {
  public:
-  Limits(const Project& project, const Pass& pass)
-      : project_(project), pass_(pass), tree_(project, pass.source, emit::Folding::float32) {}
+  explicit Limits(const ParsedPass& parsed) : parsed_(parsed), tree_(parsed.tree) {}
 
   std::vector<Finding> find() {
     large_variables();
     operators();
-    if (!pass_.vertex.has_value()) unmatched_inputs();
+    if (!parsed_.pass.vertex.has_value()) unmatched_inputs();
     return std::move(findings_);
   }
 
  private:
   void add(int token, const std::string& text) {
     const SourceLine at = tree_.line_of_token(token);
-    if (at.file >= 0) findings_.push_back(make_finding(project_, pass_, at, "webgl2", text));
+    if (at.file >= 0) findings_.push_back(make_finding(parsed_.project, parsed_.pass, at, "webgl2", text));
   }
 
   void operators() {
@@ -113,11 +112,11 @@ class Limits {
 
   // A global variable that nothing uses stands for no token, a parameter for one beside its name.
   int declaration_of(const TIntermSymbol& symbol, const std::string& name) const {
-    const emit::Declarations& declarations = tree_.declarations();
+    const Declarations& declarations = tree_.declarations();
     if (const int declaration = declarations.declaration_of(tree_.token_of(symbol)); declaration >= 0)
       return declaration;
-    for (const emit::Variable& variable : declarations.variables())
-      if (variable.place == emit::Variable::Place::global && variable.name >= 0 &&
+    for (const Variable& variable : declarations.variables())
+      if (variable.place == Variable::Place::global && variable.name >= 0 &&
           tree_.tokens()[static_cast<std::size_t>(variable.name)].text == name)
         return variable.name;
     return tree_.token_of(symbol);
@@ -126,8 +125,8 @@ class Limits {
   // Neither host has a vertex shader with outputs.
   void unmatched_inputs() {
     std::set<int> inputs;
-    for (const emit::Variable& variable : tree_.declarations().variables())
-      if (variable.place == emit::Variable::Place::global && variable.is_in) inputs.insert(variable.name);
+    for (const Variable& variable : tree_.declarations().variables())
+      if (variable.place == Variable::Place::global && variable.is_in) inputs.insert(variable.name);
     for (int token = 0; !inputs.empty() && token < static_cast<int>(tree_.tokens().size()); ++token) {
       const int declaration = tree_.declarations().declaration_of(token);
       if (declaration == token || inputs.erase(declaration) == 0) continue;
@@ -136,19 +135,15 @@ class Limits {
     }
   }
 
-  const Project& project_;
-  const Pass& pass_;
-  emit::SyntaxTree tree_;
+  const ParsedPass& parsed_;
+  const SyntaxTree& tree_;
   std::vector<Finding> findings_;
 };
 
 }  // namespace
 
-std::vector<Finding> browser_limits(const Project& project) {
-  std::vector<Finding> findings;
-  for (const Pass& pass : project.passes)
-    for (Finding& finding : Limits(project, pass).find()) findings.push_back(std::move(finding));
-  return findings;
+std::vector<Finding> browser_limits(const ParsedPass& parsed) {
+  return Limits(parsed).find();
 }
 
 }  // namespace shadertwin::check

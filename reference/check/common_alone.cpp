@@ -9,10 +9,8 @@ namespace {
 // What shadertoy.com puts in front of Common where it compiles it by itself: nothing that a pass has, but for
 // these two.
 constexpr const char* head =
-    "#define HW_PERFORMANCE 1\n"
     "uniform vec4 iDate;\n"
-    "uniform float iSampleRate;\n"
-    "#define shadertwin_nothing\n";
+    "uniform float iSampleRate;\n";
 
 // The defines of the command line and Common, which every pass begins with.
 Pass common_of(const Pass& pass) {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "host/text/syntax_tree.h"
+#include "reference/check/parsed_pass.h"
 #include "reference/check/rules.h"
 
 namespace shadertwin::check {
@@ -62,18 +62,17 @@ class LoopCollector : public TIntermTraverser {
 
 }  // namespace
 
-std::vector<Finding> endless_loops(const Project& project) {
+std::vector<Finding> endless_loops(const ParsedPass& parsed) {
+  LoopCollector loops;
+  const_cast<TIntermAggregate&>(parsed.tree.root()).traverse(&loops);  // it has no const traversal
   std::vector<Finding> findings;
-  for (const Pass& pass : project.passes) {
-    const emit::SyntaxTree tree(project, pass.source, emit::Folding::float32);
-    LoopCollector loops;
-    const_cast<TIntermAggregate&>(tree.root()).traverse(&loops);  // it has no const traversal
-    for (const TIntermLoop* loop : loops.endless)
-      findings.push_back(
-          browsers_refuse(*loop)
-              ? make_finding(project, pass, tree.line_of(*loop), "webgl2",
-                             "no break or return leaves this loop: browsers refuse it")
-              : make_finding(project, pass, tree.line_of(*loop), "loop", "nothing leaves this loop"));
+  for (const TIntermLoop* loop : loops.endless) {
+    const SourceLine at = parsed.tree.line_of(*loop);
+    findings.push_back(
+        browsers_refuse(*loop)
+            ? make_finding(parsed.project, parsed.pass, at, "webgl2",
+                           "no break or return leaves this loop: browsers refuse it")
+            : make_finding(parsed.project, parsed.pass, at, "loop", "nothing leaves this loop"));
   }
   return findings;
 }

@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "reference/check/parsed_pass.h"
 #include "reference/check/rules.h"
-#include "reference/emit/program.h"
 
 namespace shadertwin::check {
 namespace {
@@ -102,24 +102,20 @@ class OutParameter {
 
 }  // namespace
 
-std::vector<Finding> unwritten_outputs(const Project& project) {
+std::vector<Finding> unwritten_outputs(const ParsedPass& parsed) {
   std::vector<Finding> findings;
-  for (const Pass& pass : project.passes) {
-    const emit::SyntaxTree tree(project, pass.source, emit::Folding::float32);
-    const emit::Program program(tree);
-    for (const emit::Function& function : program.functions()) {
-      for (const emit::Parameter& parameter : function.parameters) {
-        if (!parameter.is_out || parameter.is_inout) continue;
-        OutParameter path(program, parameter.symbol->getId());
-        for (const TIntermNode* end : path.unwritten_returns(function.body)) {
-          const SourceLine at = tree.line_of(end != nullptr ? *end : *function.definition);
-          if (at.file < 0) continue;
-          findings.push_back(
-              make_finding(project, pass, at, "out",
-                           "'" + std::string(parameter.symbol->getName().c_str()) + "' of " + function.name +
-                               (end != nullptr ? "() is not written on a path to this return"
-                                               : "() is not written on a path to the function's end")));
-        }
+  for (const emit::Function& function : parsed.program.functions()) {
+    for (const emit::Parameter& parameter : function.parameters) {
+      if (!parameter.is_out || parameter.is_inout) continue;
+      OutParameter path(parsed.program, parameter.symbol->getId());
+      for (const TIntermNode* end : path.unwritten_returns(function.body)) {
+        const SourceLine at = parsed.tree.line_of(end != nullptr ? *end : *function.definition);
+        if (at.file < 0) continue;
+        findings.push_back(
+            make_finding(parsed.project, parsed.pass, at, "out",
+                         "'" + std::string(parameter.symbol->getName().c_str()) + "' of " + function.name +
+                             (end != nullptr ? "() is not written on a path to this return"
+                                             : "() is not written on a path to the function's end")));
       }
     }
   }

@@ -2,10 +2,11 @@
 
 #include <cstdlib>
 #include <iterator>
+#include <list>
 #include <sstream>
 
 #include "host/base/error.h"
-#include "reference/emit/program.h"
+#include "reference/check/parsed_pass.h"
 
 namespace shadertwin::check {
 namespace {
@@ -26,42 +27,34 @@ Finding read_error(const Project& project, const Pass& pass, const std::string& 
   return {line.substr(0, colon), number, "webgl2", text};
 }
 
-// The findings that `read` throws as an Error(shader).
-template <typename Read>
-std::vector<Finding> thrown(const Project& project, const Pass& pass, Read read) {
+// What the Error(shader) that is being handled says, line by line.
+std::vector<Finding> read_errors(const Project& project, const Pass& pass, const Error& error) {
+  if (error.status() != ExitStatus::shader) throw;
   std::vector<Finding> findings;
-  try {
-    read();
-  } catch (const Error& e) {
-    if (e.status() != ExitStatus::shader) throw;
-    std::istringstream lines(e.what());
-    for (std::string line; std::getline(lines, line);) {
-      const bool counts = line.find(": warning: ") == std::string::npos &&
-                          line.find("compilation errors.") == std::string::npos;
-      if (counts) findings.push_back(read_error(project, pass, line));
-    }
+  std::istringstream lines(error.what());
+  for (std::string line; std::getline(lines, line);) {
+    const bool counts = line.find(": warning: ") == std::string::npos &&
+                        line.find("compilation errors.") == std::string::npos;
+    if (counts) findings.push_back(read_error(project, pass, line));
   }
   return findings;
 }
 
 }  // namespace
 
-std::vector<Finding> syntax_errors(const Project& project, const Pass& pass) {
-  return thrown(project, pass, [&] {
-    const emit::SyntaxTree tree(project, pass.source, emit::Folding::float32, emit::Errors::all);
-  });
-}
+ParsedPass::ParsedPass(const Project& its_project, const Pass& its_pass)
+    : project(its_project),
+      pass(its_pass),
+      tree(project, pass.source, Folding::float32, Errors::all),
+      program(tree) {}
 
-std::vector<Finding> compile_errors(const Project& project) {
-  std::vector<Finding> findings;
-  for (const Pass& pass : project.passes) {
-    const auto found = thrown(project, pass, [&] {
-      const emit::SyntaxTree tree(project, pass.source, emit::Folding::float32, emit::Errors::all);
-      const emit::Program program(tree);  // recursion, functions without a body
-    });
-    findings.insert(findings.end(), found.begin(), found.end());
+std::vector<Finding> syntax_errors(const Project& project, const Pass& pass) {
+  try {
+    const SyntaxTree tree(project, pass.source, Folding::float32, Errors::all);
+    return {};
+  } catch (const Error& error) {
+    return read_errors(project, pass, error);
   }
-  return findings;
 }
 
 Reading read_rules(const Project& project) {
@@ -69,17 +62,28 @@ Reading read_rules(const Project& project) {
   const auto append = [&](std::vector<Finding> more) {
     std::move(more.begin(), more.end(), std::back_inserter(reading.findings));
   };
-  const std::vector<Finding> errors = compile_errors(project);
-  reading.can_run = errors.empty();
   append(text_rules(project));
+  std::list<ParsedPass> passes;
+  std::vector<Finding> errors;
+  for (const Pass& pass : project.passes) {
+    try {
+      passes.emplace_back(project, pass);
+    } catch (const Error& error) {
+      const std::vector<Finding> found = read_errors(project, pass, error);
+      errors.insert(errors.end(), found.begin(), found.end());
+    }
+  }
+  reading.can_run = errors.empty();
   append(errors);
   append(common_errors(project, errors));
   if (reading.can_run) {
-    append(browser_limits(project));
-    append(unwritten_outputs(project));
-    const std::vector<Finding> endless = endless_loops(project);
-    reading.can_run = endless.empty();
-    append(endless);
+    for (const ParsedPass& parsed : passes) {
+      append(browser_limits(parsed));
+      append(unwritten_outputs(parsed));
+      const std::vector<Finding> endless = endless_loops(parsed);
+      reading.can_run &= endless.empty();
+      append(endless);
+    }
   }
   reading.findings = sorted(std::move(reading.findings));
   return reading;

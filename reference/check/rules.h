@@ -8,10 +8,9 @@
 
 namespace shadertwin::check {
 
-// Errors of an ES 3.00 front end, kind `webgl2`: with any of these the shader can't be run.
-std::vector<Finding> compile_errors(const Project& project);
+struct ParsedPass;  // parsed_pass.h
 
-// The same of a single pass, but for what its functions call.
+// What parsing a pass tells, kind `webgl2`: with any of these the shader can't be run.
 std::vector<Finding> syntax_errors(const Project& project, const Pass& pass);
 
 // Errors of the Common tab where shadertoy.com compiles it by itself: functions there see no uniforms but
@@ -23,18 +22,17 @@ std::vector<Finding> common_errors(const Project& project, const std::vector<Fin
 // host refuses). Text inside #ifdef SHADER_TOY is for local hosts, so the site's rules don't hold there.
 std::vector<Finding> text_rules(const Project& project);
 
-// Loops without an end, a break, a return or a discard, which browsers refuse, kind `webgl2`. The shader has
-// to compile.
-std::vector<Finding> endless_loops(const Project& project);
+// Loops without an end, a break, a return or a discard, which browsers refuse, kind `webgl2`.
+std::vector<Finding> endless_loops(const ParsedPass& parsed);
 
 // Variables that are larger than browsers allow, inputs that no vertex shader gives, and `?:`, commas and
-// labels between types that browsers don't take there, kind `webgl2`. The shader has to compile. A local
-// variable that nothing uses is not seen.
-std::vector<Finding> browser_limits(const Project& project);
+// labels between types that browsers don't take there, kind `webgl2`. A local variable that nothing uses is
+// not seen.
+std::vector<Finding> browser_limits(const ParsedPass& parsed);
 
 // `out` parameters that some path through their function leaves unwritten, kind `out`. A loop counts as if
-// its body ran. The shader has to compile.
-std::vector<Finding> unwritten_outputs(const Project& project);
+// its body ran.
+std::vector<Finding> unwritten_outputs(const ParsedPass& parsed);
 
 // What all of these find, sorted.
 struct Reading {

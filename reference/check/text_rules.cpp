@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "host/language/tokens.h"
+#include "host/project/host_rules.h"
 #include "host/project/kinds.h"
 #include "reference/check/rules.h"
 
@@ -171,7 +172,7 @@ class TextRules {
 
   // In a project of shadertoy.com's it is an error, in one of the extension's it stops only who pastes it.
   void own_host(const std::string& text) {
-    add(project_.dialect == Dialect::shadertoy ? "webgl2" : "portability", text);
+    add(host_rules(project_).owns_names ? "webgl2" : "portability", text);
   }
 
   void taken_by_extension(std::string_view name) {

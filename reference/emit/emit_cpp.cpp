@@ -103,8 +103,9 @@ class CppModule {
     }
     text_.add("#include \"reference/twin/alone.h\"");
     text_.add("");
+    // Whoever includes it may have any macro.
     for (const std::string& macro : context_.used_names()) text_.add("#pragma push_macro(\"" + macro + "\")");
-    undefine_macros();
+    for (const std::string& macro : context_.used_names()) text_.add("#undef " + macro);
     text_.add("");
     text_.add("namespace " + name + " {");
     text_.add("");
@@ -171,9 +172,11 @@ class CppModule {
   }
 
  private:
-  // A shader may use any name that C++'s headers define as a macro.
+  // A shader may use any name that C++'s headers define as a macro. Names with an underscore in front are
+  // each compiler's own, which may not be the one that made the list.
   void undefine_macros() {
-    for (const std::string& name : context_.used_names()) text_.add("#undef " + name);
+    for (const std::string& name : context_.used_names())
+      if (name.starts_with('_') || is_header_macro(name)) text_.add("#undef " + name);
   }
 
   void structs() {
@@ -337,8 +340,7 @@ class CppModule {
 }  // namespace emit
 
 std::string emit_cpp(const Project& project, const Pass& pass, const CppOptions& options) {
-  const emit::SyntaxTree tree(project, pass.source,
-                              options.double_precision ? emit::Folding::float64 : emit::Folding::float32);
+  const SyntaxTree tree(project, pass.source, options.double_precision ? Folding::float64 : Folding::float32);
   const emit::Program program(tree);
   return emit::CppModule(project, program, options, "twin.cpp").write();
 }
@@ -347,8 +349,7 @@ std::string emit_header(const Project& project, const Pass& pass, const std::str
                         const CppOptions& options) {
   CppOptions header = options;
   header.initialise_locals = true;
-  const emit::SyntaxTree tree(project, pass.source,
-                              header.double_precision ? emit::Folding::float64 : emit::Folding::float32);
+  const SyntaxTree tree(project, pass.source, header.double_precision ? Folding::float64 : Folding::float32);
   const emit::Program program(tree);
   return emit::CppModule(project, program, header, name + ".h").write_header(name);
 }

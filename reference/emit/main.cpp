@@ -5,6 +5,9 @@
 
 #include "host/base/error.h"
 #include "host/base/output_file.h"
+#include "host/project/body.h"
+#include "host/project/text_file.h"
+#include "host/project/text_loader.h"
 #include "host/text/resolve_macros.h"
 #include "reference/emit/emit_cpp.h"
 
@@ -29,25 +32,23 @@ struct Arguments {
 
 Project read(const Arguments& arguments) {
   Project project;
+  for (const std::string& define : arguments.defines) {
+    const std::size_t equals = define.find('=');
+    project.defines.emplace_back(define.substr(0, equals),
+                                 equals == std::string::npos ? "" : define.substr(equals + 1));
+  }
+  Body body;
+  body.append(to_text(project.defines), -1, 0);
+  for (const std::string& file : arguments.files) {
+    body.append(read_text(file), static_cast<int>(project.files.size()), 1);
+    body.break_line();
+    project.files.push_back(file);
+  }
   Pass pass;
   pass.source.head = head;
   pass.source.own_output = true;
-  for (const std::string& define : arguments.defines) {
-    const std::size_t equals = define.find('=');
-    pass.source.body += "#define " + define.substr(0, equals) + ' ' +
-                        (equals == std::string::npos ? "" : define.substr(equals + 1)) + '\n';
-    pass.source.lines.push_back({});
-  }
-  for (const std::string& file : arguments.files) {
-    std::ifstream in(file);
-    if (!in) throw Error(ExitStatus::file, file + ": can't be read");
-    project.files.push_back(file);
-    int line_number = 0;
-    for (std::string line; std::getline(in, line);) {
-      pass.source.body += line + '\n';
-      pass.source.lines.push_back({static_cast<int>(project.files.size()) - 1, ++line_number});
-    }
-  }
+  pass.source.body = body.text();
+  pass.source.lines = body.lines();
   resolve_macros(project, pass.source, Stage::fragment);
   project.passes.push_back(pass);
   return project;

@@ -13,6 +13,9 @@ std::string cpp_name(const std::string& glsl_name);
 // The same for structures, functions and global variables, which would hide a built-in function.
 std::string global_cpp_name(const std::string& glsl_name);
 
+// Whether some header that twins include defines a macro of this name.
+bool is_header_macro(const std::string& name);
+
 // Hands out names, each only once until it is given back.
 class NameScope {
  public:

@@ -52,7 +52,6 @@ std::vector<check::Finding> findings(const Case& each) {
   folder.write(each.buffer ? "buffer_a.glsl" : "image.glsl", each.code);
   if (each.buffer) folder.write("image.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }\n");
   LoadOptions options;
-  options.undefined = Undefined::raw;
   std::vector<check::Finding> found;
   try {
     for (check::Finding& finding : check::read_rules(load_project(folder.path(), options)).findings)

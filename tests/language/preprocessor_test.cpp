@@ -189,12 +189,9 @@ TEST(Preprocessor, PredefinedNamesMayBeDefinedAnew) {
   EXPECT_EQ(joined("#undef A\nA", options), "A@2");
   EXPECT_EQ(joined("#if A == 2 && defined E\nyes\n#endif", {.predefined = {{"A", "2"}, {"E", ""}}}), "yes@2");
   EXPECT_FALSE(preprocess("#define A 2\n#define A 3", options).errors.empty());
-}
-
-TEST(Preprocessor, MacrosThatTheTextDefinesAreListedOnce) {
-  const PlainText plain =
-      preprocess("#define b 1\n#define a(x)\n#undef b\n#define b 2\n#if 0\n#define c\n#endif");
-  EXPECT_EQ(plain.macros, (std::vector<std::string>{"b", "a"}));
+  const PreprocessOptions call = {.predefined = {{"F", "g(b, a)", {"a", "b"}}}};
+  EXPECT_EQ(joined("F(1, F(2, 3)) F", call), "g@1 (@1 g@1 (@1 3@1 ,@1 2@1 )@1 ,@1 1@1 )@1 F@1");
+  EXPECT_EQ(joined("#define F(x) x\nF(1)", call), "1@2");
 }
 
 TEST(Preprocessor, PragmasAndExtensionsStayForTheCompiler) {
@@ -206,13 +203,10 @@ TEST(Preprocessor, PragmasAndExtensionsStayForTheCompiler) {
             "\n#extension GL_FOO : warn\n#pragma optimize ( on )\nfloat x;\n#pragma foo bar\n");
 }
 
-TEST(Preprocessor, WhatHardlyAnybodyMeansIsAWarning) {
+TEST(Preprocessor, ABackslashBehindAContinuedLineEndsTheText) {
   const PlainText cut = preprocess("a // \\\n\\\nb");
   EXPECT_TRUE(cut.errors.empty());
-  ASSERT_EQ(cut.warnings.size(), 1U);
-  EXPECT_EQ(cut.warnings[0].line, 2);
   EXPECT_EQ(cut.tokens.size(), 1U);
-  EXPECT_EQ(preprocess("#extension GL_FOO : enable\n", {.behind_head = false}).warnings.size(), 1U);
 }
 
 TEST(ToText, TokensNeverJoin) {

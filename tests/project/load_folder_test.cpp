@@ -22,7 +22,7 @@ TEST(LoadFolder, DrawsTabsInOrderWithCommonInFront) {
   EXPECT_EQ(project.passes[2].kind, PassKind::image);
   EXPECT_EQ(project.passes[0].kind, PassKind::buffer);
   for (const Pass& pass : project.passes) {
-    EXPECT_EQ(pass.source.body, "float f;\n" + std::string(loaded_empty_image));
+    EXPECT_EQ(pass.source.body, "float f;\n" + std::string(empty_image));
     ASSERT_EQ(pass.source.lines.size(), 2U);
     EXPECT_TRUE(project.files[pass.source.lines[0].file].ends_with("COMMON.glsl"));
     EXPECT_EQ(pass.source.lines[1].line, 1);
@@ -49,7 +49,7 @@ TEST(LoadFolder, BindsChannelsByDirectivesInFilesThatAlsoPaste) {
   EXPECT_EQ(project.passes[0].inputs[0].pass, 0);
   EXPECT_EQ(project.passes[1].inputs[1].pass, 0);
   // Common is there already: the include adds nothing, and the site knows no SHADER_TOY.
-  EXPECT_EQ(project.passes[1].source.body, "float f;\n\n\n\n\n" + std::string(loaded_empty_image));
+  EXPECT_EQ(project.passes[1].source.body, "float f;\n\n\n\n\n" + std::string(empty_image));
   EXPECT_EQ(project.passes[1].source.head.find("SHADER_TOY"), std::string::npos);
 }
 
@@ -137,6 +137,14 @@ TEST(LoadFolder, RefusesTwoFilesForOneTab) {
   folder.write("Image.frag", empty_image);
   EXPECT_EQ(load_error(folder, folder.path(), ExitStatus::file),
             "image.glsl: error: Image.frag is the tab Image already");
+}
+
+TEST(LoadFolder, RefusesAnOutputBesideTheHosts) {
+  const TempFolder folder;
+  folder.write("common.glsl", "int a;\n");
+  folder.write("image.glsl", "float b;\nout vec4 other;\n" + std::string(empty_image));
+  const std::string text = load_error(folder, folder.path(), ExitStatus::shader);
+  EXPECT_TRUE(text.starts_with("image.glsl:2: error: an output of the shader's own")) << text;
 }
 
 }  // namespace

@@ -261,7 +261,7 @@ TEST_F(LoadJson, ReadsChannelStructsAsUniforms) {
       loaded.source.body.starts_with("vec4 f() { return texture(iChannel1, iChannelResolution[2].xy) * "
                                      "iChannelTime[0] * float(shadertwin_loaded_3); }\n"))
       << loaded.source.body;
-  EXPECT_NE(loaded.source.head.find("#define shadertwin_loaded_3 1\n"), std::string::npos);
+  EXPECT_NE(loaded.source.head.find("const int shadertwin_loaded_3 = 1;\n"), std::string::npos);
 }
 
 TEST_F(LoadJson, GivesAnEmptyChannelTheSamplerOfWhatIsMissing) {

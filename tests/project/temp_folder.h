@@ -55,8 +55,5 @@ inline std::string load_error(const TempFolder& folder, const std::filesystem::p
 }
 
 constexpr const char* empty_image = "void mainImage(out vec4 o, in vec2 p) { o = vec4(0.0); }\n";
-// The same in a loaded pass: the colour starts as zero.
-constexpr const char* loaded_empty_image =
-    "void mainImage(out vec4 o, in vec2 p) { o = vec4(0); o = vec4(0.0); }\n";
 
 }  // namespace shadertwin

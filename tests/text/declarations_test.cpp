@@ -5,7 +5,7 @@
 
 #include <memory>
 
-namespace shadertwin::emit {
+namespace shadertwin {
 namespace {
 
 // The token that declares what the nth token `name` of a text means.
@@ -25,7 +25,7 @@ class Scopes : public testing::Test {
     return declarations_->declaration_of(token(name, nth));
   }
 
-  std::vector<Token> tokens_;
+  std::vector<PlainToken> tokens_;
   std::unique_ptr<Declarations> declarations_;
 };
 
@@ -66,14 +66,17 @@ TEST_F(Scopes, ConstIsKnown) {
   EXPECT_FALSE(declarations_->is_const(token("c", 0)));
 }
 
-TEST(Tokens, KeepTheirLinesThroughLineDirectives) {
-  const std::vector<Token> tokens = split_tokens("a\n#line 7\nb <<= 1.5e-3;\n");
-  ASSERT_EQ(tokens.size(), 5U);
+TEST(Tokens, TakeADirectiveForOne) {
+  const std::vector<PlainToken> tokens = split_tokens("a\n#extension GL_A : warn\nb <<= 1.5e-3;\n#pragma b");
+  ASSERT_EQ(tokens.size(), 7U);
   EXPECT_EQ(tokens[0].line, 1);
-  EXPECT_EQ(tokens[1].line, 7);
-  EXPECT_EQ(tokens[2].text, "<<=");
-  EXPECT_EQ(tokens[3].text, "1.5e-3");
+  EXPECT_EQ(tokens[1].text, "#extension GL_A : warn");
+  EXPECT_EQ(tokens[1].line, 2);
+  EXPECT_EQ(tokens[2].line, 3);
+  EXPECT_EQ(tokens[3].text, "<<=");
+  EXPECT_EQ(tokens[4].text, "1.5e-3");
+  EXPECT_EQ(tokens[6].text, "#pragma b");
 }
 
 }  // namespace
-}  // namespace shadertwin::emit
+}  // namespace shadertwin

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
+#include "host/text/syntax_tree.h"
 #include "tests/scratch_folder.h"
 
 namespace shadertwin {
@@ -44,18 +45,15 @@ TEST(MakePrecise, LinesStayWhereTheyWere) {
   EXPECT_TRUE(contains(text, "\nvec4 ( 2.0 ) ;\n}\n"));
 }
 
-TEST(MakePrecise, NamesThatTheNewerVersionClaimsAreChanged) {
-  Project project;
-  project.files = {"shader.glsl"};
-  Pass pass;
-  pass.source.own_output = true;
-  pass.source.head = "out vec4 o;\n";
-  pass.source.body = "float fma(float buffer) { return buffer; } void main() { o = vec4(fma(1.0)); }\n";
-  pass.source.lines = {{0, 1}};
-  project.passes.push_back(pass);
-  EXPECT_TRUE(contains(make_precise(project, project.passes[0].source).body,
-                       "float fma_ ( precise float buffer_ ) { precise bool shadertwin_test; precise float "
-                       "shadertwin_result; return (shadertwin_result = (buffer_)) ; }"));
+TEST(MakePrecise, NamesThatTheNewerVersionClaimsCompile) {
+  const ScratchFolder folder;
+  const Project project = load_project(folder.write(
+      "shader.glsl",
+      "struct S { float fma; };\nfloat bitCount = 1.0;\nfloat fma(float buffer) { return buffer; }\n"
+      "void mainImage(out vec4 c, in vec2 p) {\n  float shared = 1.0, precise = 2.0, ldexp = 3.0;\n"
+      "  c = vec4(S(fma(shared)).fma, precise, ldexp, bitCount);\n}\n"));
+  const PassSource precise = make_precise(project, project.passes[0].source);
+  EXPECT_NO_THROW(SyntaxTree(project, precise, Folding::float32)) << precise.body;
 }
 
 TEST(MakePrecise, StructuresCanBeReturned) {

@@ -30,7 +30,7 @@ const mat2 turns [ 2 ] = mat2 [ ] ( mat2 ( 0.0 , 1.0 , - 1.0 , 0.0 ) , mat2 ( 0.
 float table [ 6 ] = float[6](0.0, 0.0, 0.0, 0.0, 0.0, 0.0) ;
 float total ( float v [ 6 ] ) { v [ 0 ] = 100.0 ; float s = 0.0 ; for ( int i = 0 ; i < v . length ( ) ; i ++ ) s += v [ i ] ; return s ; }
 float [ 2 ] both ( float a ) { return float [ ] ( a , a * a ) ; }
-void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
 int k = int ( p . x ) % 8 ;
 for ( int i = 0 ; i < 6 ; ++ i ) table [ i ] = float ( i * i ) ;
 const float weights [ ] = float [ ] ( 0.25 , 0.5 , 0.125 ) ;

@@ -30,7 +30,7 @@ const mat2 turns [ 2 ] = mat2 [ ] ( mat2 ( 0.0 , 1.0 , - 1.0 , 0.0 ) , mat2 ( 0.
 precise float table [ 6 ] = float [ 6 ] ( 0.0 , 0.0 , 0.0 , 0.0 , 0.0 , 0.0 ) ;
 float total ( precise float v [ 6 ] ) { precise bool shadertwin_test; precise float shadertwin_result; v [ 0 ] = 100.0 ; precise float s = 0.0 ; for ( precise int i = 0 ; (shadertwin_test = (i < v . length ( ))) ; i ++ ) s += v [ i ] ; return (shadertwin_result = (s)) ; }
 float [ 2 ] both ( precise float a ) { precise bool shadertwin_test; return float [ ] ( a , a * a ) ; }
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise int k = int ( p . x ) % 8 ;
 for ( precise int i = 0 ; (shadertwin_test = (i < 6)) ; ++ i ) table [ i ] = float ( i * i ) ;
 const float weights [ ] = float [ ] ( 0.25 , 0.5 , 0.125 ) ;

@@ -1,47 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef a
-#undef both
-#undef color
-#undef copy
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef k
-#undef local
-#undef main
-#undef mainImage
-#undef p
-#undef palette
-#undef s
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef steps
-#undef table
-#undef total
-#undef turned
-#undef turns
-#undef v
-#undef w
-#undef weights
 
 namespace shadertwin::glsl {
 namespace {
@@ -82,7 +39,7 @@ struct Shader : Invocation {
     return s;
 #line 6 "tests/emit/shaders/arrays.glsl"
   }
-#line 86 "twin.cpp"
+#line 43 "twin.cpp"
 
 #line 7 "tests/emit/shaders/arrays.glsl"
   array<Float, 2> both(Float a) {
@@ -90,12 +47,12 @@ struct Shader : Invocation {
     return array<Float, 2>{{a, a * a}};
 #line 7 "tests/emit/shaders/arrays.glsl"
   }
-#line 94 "twin.cpp"
+#line 51 "twin.cpp"
 
 #line 8 "tests/emit/shaders/arrays.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 8 "tests/emit/shaders/arrays.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
     int k = make<int>(p.x) % 8;
     for (int i = 0; i < 6; ++i) {
 #line 10 "tests/emit/shaders/arrays.glsl"
@@ -124,7 +81,7 @@ struct Shader : Invocation {
     }
 #line 20 "tests/emit/shaders/arrays.glsl"
   }
-#line 128 "twin.cpp"
+#line 85 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -24,7 +24,7 @@ uniform sampler2D iChannel8 ;
 uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
-void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
 float x = ( p . x - 8.0 ) * 0.37 ;
 uint u = floatBitsToUint ( x ) ; int i = floatBitsToInt ( - x ) ;
 float back = uintBitsToFloat ( u ^ 0x80000000u ) + intBitsToFloat ( i ) ;

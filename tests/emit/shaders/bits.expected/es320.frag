@@ -24,7 +24,7 @@ uniform sampler2D iChannel8 ;
 uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise float x = ( p . x - 8.0 ) * 0.37 ;
 precise uint u = floatBitsToUint ( x ) ; precise int i = floatBitsToInt ( - x ) ;
 precise float back = uintBitsToFloat ( u ^ 0x80000000u ) + intBitsToFloat ( i ) ;

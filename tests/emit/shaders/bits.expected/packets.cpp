@@ -1,47 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef back
-#undef color
-#undef h
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef inf
-#undef main
-#undef mainImage
-#undef n
-#undef nan
-#undef p
-#undef part
-#undef parts
-#undef pieces
-#undef q
-#undef s
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef two
-#undef u
-#undef whole
-#undef wholes
-#undef x
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -62,7 +19,7 @@ struct Shader : Invocation {
 #line 2 "tests/emit/shaders/bits.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 2 "tests/emit/shaders/bits.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     Float x = (p.x - 8.0f) * 0.37f;
     Uint u = floatBitsToUint(x);
 #line 4 "tests/emit/shaders/bits.glsl"
@@ -124,7 +81,7 @@ struct Shader : Invocation {
     }
 #line 15 "tests/emit/shaders/bits.glsl"
   }
-#line 128 "twin.cpp"
+#line 85 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

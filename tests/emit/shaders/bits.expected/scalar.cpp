@@ -1,47 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef back
-#undef color
-#undef h
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef inf
-#undef main
-#undef mainImage
-#undef n
-#undef nan
-#undef p
-#undef part
-#undef parts
-#undef pieces
-#undef q
-#undef s
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef two
-#undef u
-#undef whole
-#undef wholes
-#undef x
 
 namespace shadertwin::glsl {
 namespace {
@@ -62,7 +19,7 @@ struct Shader : Invocation {
 #line 2 "tests/emit/shaders/bits.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 2 "tests/emit/shaders/bits.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
     Float x = (p.x - 8.0f) * 0.37f;
     uint u = floatBitsToUint(x);
 #line 4 "tests/emit/shaders/bits.glsl"
@@ -106,7 +63,7 @@ struct Shader : Invocation {
     }
 #line 15 "tests/emit/shaders/bits.glsl"
   }
-#line 110 "twin.cpp"
+#line 67 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -36,7 +36,7 @@ const ivec2 bits = floatBitsToInt ( vec2 ( 2.0 , - 1.0 ) ) ;
 const vec4 arcs = vec4 ( asin ( 0.3 ) , acos ( 0.3 ) , atan ( 0.3 ) , asin ( 1.0 ) ) , waves = vec4 ( sin ( 1.3 ) , cos ( 1.3 ) , tan ( 0.3 ) , acos ( - 1.0 ) ) ;
 const vec4 hyperbolic = vec4 ( sinh ( 0.3 ) , cosh ( 0.3 ) , tanh ( 0.3 ) , asinh ( 0.3 ) ) , powers = vec4 ( exp ( 0.3 ) , log ( 0.3 ) , exp2 ( 0.3 ) , log2 ( 0.3 ) ) ;
 const vec4 others = vec4 ( acosh ( 1.3 ) , atanh ( 0.3 ) , inversesqrt ( 0.3 ) , pow ( 0.3 , 0.7 ) ) , bent = vec4 ( reflect ( vec2 ( 0.3 , 0.4 ) , vec2 ( 0.6 , 0.8 ) ) , inverse ( mat2 ( 0.1 , 0.2 , 0.3 , 0.7 ) ) [ 0 ] ) ;
-void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
 const float local = c * 0.9 - e , other = mix ( 0.1 , 0.9 , 0.35 ) ;
 float sizes [ n ] ; for (int shadertwin_i = 0; shadertwin_i < sizes.length(); ++shadertwin_i) sizes[shadertwin_i] = 0.0;
 sizes [ n - 1 ] = local ;

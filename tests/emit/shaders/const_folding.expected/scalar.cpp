@@ -1,40 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef bits
-#undef c
-#undef color
-#undef constant
-#undef d
-#undef e
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef infinite
-#undef list
-#undef main
-#undef mainImage
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef size
-#undef sizes
 
 namespace shadertwin::glsl {
 namespace {
@@ -64,7 +28,7 @@ struct Shader : Invocation {
 #line 14 "tests/emit/shaders/const_folding.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 14 "tests/emit/shaders/const_folding.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
 #line 17 "tests/emit/shaders/const_folding.glsl"
     array<Float, 5> sizes;
 #line 17 "tests/emit/shaders/const_folding.glsl"
@@ -93,7 +57,7 @@ struct Shader : Invocation {
     }
 #line 25 "tests/emit/shaders/const_folding.glsl"
   }
-#line 97 "twin.cpp"
+#line 61 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

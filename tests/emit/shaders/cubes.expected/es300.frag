@@ -49,7 +49,7 @@ return at ;
 }
 uvec4 mixed ( uvec4 sum , vec4 color ) { return ( sum ^ floatBitsToUint ( color ) ) * 0x9e3779b1u ; }
 
-void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
 uint pixel = uint ( p . x ) + 64u * uint ( p . y ) ;
 uvec4 sum = uvec4 ( 0u ) ;
 vec3 d = vec3 ( 1.0 ) ;

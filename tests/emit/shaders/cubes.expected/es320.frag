@@ -49,7 +49,7 @@ return (shadertwin_result = (at)) ;
 }
 uvec4 mixed ( precise uvec4 sum , precise vec4 color ) { precise bool shadertwin_test; precise uvec4 shadertwin_result; return (shadertwin_result = (( sum ^ floatBitsToUint ( color ) ) * 0x9e3779b1u)) ; }
 
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise uint pixel = uint ( p . x ) + 64u * uint ( p . y ) ;
 precise uvec4 sum = uvec4 ( 0u ) ;
 precise vec3 d = vec3 ( 1.0 ) ;

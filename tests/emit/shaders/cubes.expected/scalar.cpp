@@ -1,44 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef at_
-#undef color
-#undef corner
-#undef d
-#undef direction
-#undef h
-#undef hash
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef main
-#undef mainImage
-#undef mixed
-#undef n
-#undef p
-#undef pixel
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef signed_fraction
-#undef sum
-#undef x
 
 namespace shadertwin::glsl {
 namespace {
@@ -67,7 +27,7 @@ struct Shader : Invocation {
     return x ^ x >> 16;
 #line 12 "tests/emit/shaders/cubes.glsl"
   }
-#line 71 "twin.cpp"
+#line 31 "twin.cpp"
 
 #line 14 "tests/emit/shaders/cubes.glsl"
   Float signed_fraction(uint x) {
@@ -75,7 +35,7 @@ struct Shader : Invocation {
     return Float(int(hash(x)) >> 8) * 1.1920929e-07f;
 #line 14 "tests/emit/shaders/cubes.glsl"
   }
-#line 79 "twin.cpp"
+#line 39 "twin.cpp"
 
 #line 17 "tests/emit/shaders/cubes.glsl"
   vec3 direction(uint n) {
@@ -95,7 +55,7 @@ struct Shader : Invocation {
     return at_;
 #line 23 "tests/emit/shaders/cubes.glsl"
   }
-#line 99 "twin.cpp"
+#line 59 "twin.cpp"
 
 #line 25 "tests/emit/shaders/cubes.glsl"
   uvec4 mixed(uvec4 sum, vec4 color) {
@@ -103,12 +63,12 @@ struct Shader : Invocation {
     return (sum ^ floatBitsToUint(color)) * 2654435761u;
 #line 25 "tests/emit/shaders/cubes.glsl"
   }
-#line 107 "twin.cpp"
+#line 67 "twin.cpp"
 
 #line 27 "tests/emit/shaders/cubes.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 27 "tests/emit/shaders/cubes.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
     uint pixel = make<uint>(p.x) + 64u * make<uint>(p.y);
     uvec4 sum = uvec4(0u);
     vec3 d = vec3(1.0f);
@@ -130,7 +90,7 @@ struct Shader : Invocation {
     color = make<vec4>(shift_right(sum, 8)) * 5.9604645e-08f;
 #line 40 "tests/emit/shaders/cubes.glsl"
   }
-#line 134 "twin.cpp"
+#line 94 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

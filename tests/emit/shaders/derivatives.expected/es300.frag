@@ -25,7 +25,7 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 float grid ( vec2 p ) { vec2 w = fwidth ( p ) ; return w . x + w . y ; }
-void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
 float f = p . x * p . x + p . y * 3.0 ;
 vec2 uv = p * vec2 ( 0.5 , 2.0 ) ;
 if ( p . x > 5.0 ) f += 10.0 ;

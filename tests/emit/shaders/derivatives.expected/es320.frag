@@ -25,7 +25,7 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 float grid ( precise vec2 p ) { precise bool shadertwin_test; precise float shadertwin_result; precise vec2 w = fwidth ( p ) ; return (shadertwin_result = (w . x + w . y)) ; }
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise float f = p . x * p . x + p . y * 3.0 ;
 precise vec2 uv = p * vec2 ( 0.5 , 2.0 ) ;
 if ( (shadertwin_test = (p . x > 5.0)) ) f += 10.0 ;

@@ -1,37 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef color
-#undef f
-#undef grid
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef main
-#undef mainImage
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef uv
-#undef v
-#undef w
 
 namespace shadertwin::glsl {
 namespace {
@@ -57,12 +24,12 @@ struct Shader : Invocation {
     return w.x + w.y;
 #line 2 "tests/emit/shaders/derivatives.glsl"
   }
-#line 61 "twin.cpp"
+#line 28 "twin.cpp"
 
 #line 3 "tests/emit/shaders/derivatives.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 3 "tests/emit/shaders/derivatives.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
     Float f = p.x * p.x + p.y * 3.0f;
     vec2 uv = p * vec2(0.5f, 2.0f);
     if (p.x > 5.0f) {
@@ -81,7 +48,7 @@ struct Shader : Invocation {
     }
 #line 9 "tests/emit/shaders/derivatives.glsl"
   }
-#line 85 "twin.cpp"
+#line 52 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

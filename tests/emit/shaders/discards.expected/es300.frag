@@ -25,7 +25,7 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 float check ( vec2 p ) { if ( p . x > 10.0 ) discard ; for ( int i = 0 ; ; i ++ ) { if ( float ( i ) > p . y ) break ; if ( i == 6 ) discard ; } return p . x ; }
-void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
 if ( mod ( p . x , 4.0 ) < 1.0 && p . y < 4.0 ) discard ;
 color = vec4 ( check ( p ) , p . y , 1.0 , 1.0 ) ;
 }

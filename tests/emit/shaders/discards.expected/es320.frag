@@ -25,7 +25,7 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 float check ( precise vec2 p ) { precise bool shadertwin_test; precise float shadertwin_result; if ( (shadertwin_test = (p . x > 10.0)) ) discard ; for ( precise int i = 0 ; ; i ++ ) { if ( (shadertwin_test = (float ( i ) > p . y)) ) break ; if ( (shadertwin_test = (i == 6)) ) discard ; } return (shadertwin_result = (p . x)) ; }
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 if ( (shadertwin_test = (mod ( p . x , 4.0 ) < 1.0 && p . y < 4.0)) ) discard ;
 color = vec4 ( check ( p ) , p . y , 1.0 , 1.0 ) ;
 }

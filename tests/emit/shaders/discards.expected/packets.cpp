@@ -1,33 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef check
-#undef color
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef main
-#undef mainImage
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -97,12 +68,12 @@ struct Shader : Invocation {
     return p.x;
 #line 2 "tests/emit/shaders/discards.glsl"
   }
-#line 101 "twin.cpp"
+#line 72 "twin.cpp"
 
 #line 3 "tests/emit/shaders/discards.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 3 "tests/emit/shaders/discards.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     if (Bool active_2 = active && (mod(p.x, Float(4.0f)) < 1.0f && p.y < 4.0f); any__(active_2)) {
 #line 4 "tests/emit/shaders/discards.glsl"
       alive__ = alive__ && !active_2;
@@ -121,7 +92,7 @@ struct Shader : Invocation {
     if (none__(active)) return;
 #line 5 "tests/emit/shaders/discards.glsl"
   }
-#line 125 "twin.cpp"
+#line 96 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,33 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef check
-#undef color
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef main
-#undef mainImage
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
 
 namespace shadertwin::glsl {
 namespace {
@@ -73,12 +44,12 @@ struct Shader : Invocation {
     return p.x;
 #line 2 "tests/emit/shaders/discards.glsl"
   }
-#line 77 "twin.cpp"
+#line 48 "twin.cpp"
 
 #line 3 "tests/emit/shaders/discards.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 3 "tests/emit/shaders/discards.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
     if (mod(p.x, 4.0f) < 1.0f && p.y < 4.0f) {
 #line 4 "tests/emit/shaders/discards.glsl"
       stop_invocation__();
@@ -87,7 +58,7 @@ struct Shader : Invocation {
     color = vec4(check(p), p.y, 1.0f, 1.0f);
 #line 5 "tests/emit/shaders/discards.glsl"
   }
-#line 91 "twin.cpp"
+#line 62 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

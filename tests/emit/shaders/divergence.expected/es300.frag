@@ -58,7 +58,7 @@ if ( sum > 4000 + n ) break ;
 }
 return sum ;
 }
-float walk ( vec2 p , out int rounds ) { rounds = 0; rounds = int ( 0 ) ;
+float walk ( vec2 p , out int rounds ) { rounds = 0;
 float x = p . x ;
 rounds = 0 ;
 do {
@@ -78,7 +78,7 @@ bag . turn [shadertwin_at( j , 1)] [shadertwin_at(( i & 1 ), 1)] -= 0.25 ;
 if ( i == 1 ) { bag . items [shadertwin_at( j , 2)] . at . yx = vec2 ( float ( j ) , grid [shadertwin_at(( i + 4 * j ), 5)] ) ; return ; }
 bag . turn [shadertwin_at(( i & 1 ), 1)] . xy *= 2.0 ;
 }
-void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
 ivec2 q = ivec2 ( p ) ;
 int n = q . x * 3 + q . y ;
 int a = early ( n ) , b = route ( n % 13 ) , r = n % 4 , c = 0 ;

@@ -58,7 +58,7 @@ if ( (shadertwin_test = (sum > 4000 + n)) ) break ;
 }
 return (shadertwin_result = (sum)) ;
 }
-float walk ( precise vec2 p , precise out int rounds ) { precise bool shadertwin_test; precise float shadertwin_result; rounds = 0 ; rounds = int ( 0 ) ;
+float walk ( precise vec2 p , precise out int rounds ) { precise bool shadertwin_test; precise float shadertwin_result; rounds = 0 ;
 precise float x = p . x ;
 rounds = 0 ;
 do {
@@ -78,7 +78,7 @@ bag . turn [ shadertwin_at ( j , 1 ) ] [ shadertwin_at ( ( i & 1 ) , 1 ) ] -= 0.
 if ( (shadertwin_test = (i == 1)) ) { bag . items [ shadertwin_at ( j , 2 ) ] . at . yx = vec2 ( float ( j ) , grid [ shadertwin_at ( ( i + 4 * j ) , 5 ) ] ) ; return ; }
 bag . turn [ shadertwin_at ( ( i & 1 ) , 1 ) ] . xy *= 2.0 ;
 }
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise ivec2 q = ivec2 ( p ) ;
 precise int n = q . x * 3 + q . y ;
 precise int a = early ( n ) , b = route ( n % 13 ) , r = n % 4 , c = 0 ;

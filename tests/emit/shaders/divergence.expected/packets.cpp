@@ -1,63 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef Bag
-#undef Item
-#undef a
-#undef at_
-#undef b
-#undef bag
-#undef c
-#undef color
-#undef count
-#undef early
-#undef first
-#undef grid
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef items
-#undef j
-#undef main
-#undef mainImage
-#undef more
-#undef n
-#undef odd
-#undef on
-#undef p
-#undef put
-#undef q
-#undef r
-#undef rounds
-#undef route
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef some
-#undef steps
-#undef sum
-#undef tag
-#undef turn
-#undef v
-#undef w
-#undef walk
-#undef x
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -168,7 +109,7 @@ struct Shader : Invocation {
     return result;
 #line 18 "tests/emit/shaders/divergence.glsl"
   }
-#line 172 "twin.cpp"
+#line 113 "twin.cpp"
 
 #line 20 "tests/emit/shaders/divergence.glsl"
   Bool count(Bool active, Int& n) {
@@ -180,7 +121,7 @@ struct Shader : Invocation {
     return (n & 1) == 0;
 #line 20 "tests/emit/shaders/divergence.glsl"
   }
-#line 184 "twin.cpp"
+#line 125 "twin.cpp"
 
 #line 21 "tests/emit/shaders/divergence.glsl"
   Int route(Bool active, Int n) {
@@ -281,14 +222,14 @@ struct Shader : Invocation {
     return result;
 #line 34 "tests/emit/shaders/divergence.glsl"
   }
-#line 285 "twin.cpp"
+#line 226 "twin.cpp"
 
 #line 36 "tests/emit/shaders/divergence.glsl"
   Float walk(Bool active, vec2 p, Int& rounds) {
 #line 36 "tests/emit/shaders/divergence.glsl"
-    Float result{};
+    unwritten(active, rounds);
 #line 36 "tests/emit/shaders/divergence.glsl"
-    set__(active, rounds, 0);
+    Float result{};
     Float x = p.x;
     set__(active, rounds, 0);
 #line 44 "tests/emit/shaders/divergence.glsl"
@@ -389,7 +330,7 @@ struct Shader : Invocation {
     return result;
 #line 46 "tests/emit/shaders/divergence.glsl"
   }
-#line 393 "twin.cpp"
+#line 334 "twin.cpp"
 
 #line 48 "tests/emit/shaders/divergence.glsl"
   void put(Bool active, Bag& bag, Int i, Int j) {
@@ -457,12 +398,12 @@ struct Shader : Invocation {
     put__(active, bag.turn, tmp_8, element_8);
 #line 54 "tests/emit/shaders/divergence.glsl"
   }
-#line 461 "twin.cpp"
+#line 402 "twin.cpp"
 
 #line 56 "tests/emit/shaders/divergence.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 56 "tests/emit/shaders/divergence.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     ivec2 q = make<ivec2>(p);
     Int n = q.x * 3 + q.y;
     Int a = early(active, n);
@@ -623,7 +564,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(make<Float>(a + b), w + make<Float>(r), dot(some.at_, bag.turn * v.xy()) + make<Float>(some.tag) + v.z * v.w, make<Float>(c + i * 10 + more[0] * 100 + more[1] + steps + select__(some.on, Int(5000), Int(0)))));
 #line 74 "tests/emit/shaders/divergence.glsl"
   }
-#line 627 "twin.cpp"
+#line 568 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,63 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef Bag
-#undef Item
-#undef a
-#undef at_
-#undef b
-#undef bag
-#undef c
-#undef color
-#undef count
-#undef early
-#undef first
-#undef grid
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef items
-#undef j
-#undef main
-#undef mainImage
-#undef more
-#undef n
-#undef odd
-#undef on
-#undef p
-#undef put
-#undef q
-#undef r
-#undef rounds
-#undef route
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef some
-#undef steps
-#undef sum
-#undef tag
-#undef turn
-#undef v
-#undef w
-#undef walk
-#undef x
 
 namespace shadertwin::glsl {
 namespace {
@@ -122,7 +63,7 @@ struct Shader : Invocation {
     return -1;
 #line 18 "tests/emit/shaders/divergence.glsl"
   }
-#line 126 "twin.cpp"
+#line 67 "twin.cpp"
 
 #line 20 "tests/emit/shaders/divergence.glsl"
   bool count(int& n) {
@@ -134,7 +75,7 @@ struct Shader : Invocation {
     return (n & 1) == 0;
 #line 20 "tests/emit/shaders/divergence.glsl"
   }
-#line 138 "twin.cpp"
+#line 79 "twin.cpp"
 
 #line 21 "tests/emit/shaders/divergence.glsl"
   int route(int n) {
@@ -213,12 +154,12 @@ struct Shader : Invocation {
     return sum;
 #line 34 "tests/emit/shaders/divergence.glsl"
   }
-#line 217 "twin.cpp"
+#line 158 "twin.cpp"
 
 #line 36 "tests/emit/shaders/divergence.glsl"
   Float walk(vec2 p, int& rounds) {
 #line 36 "tests/emit/shaders/divergence.glsl"
-    rounds = 0;
+    unwritten(rounds);
     Float x = p.x;
     rounds = 0;
 #line 44 "tests/emit/shaders/divergence.glsl"
@@ -259,7 +200,7 @@ struct Shader : Invocation {
     return x;
 #line 46 "tests/emit/shaders/divergence.glsl"
   }
-#line 263 "twin.cpp"
+#line 204 "twin.cpp"
 
 #line 48 "tests/emit/shaders/divergence.glsl"
   void put(Bag& bag, int i, int j) {
@@ -277,12 +218,12 @@ struct Shader : Invocation {
     swizzle<0, 1>(at(bag.turn, i & 1)) *= 2.0f;
 #line 54 "tests/emit/shaders/divergence.glsl"
   }
-#line 281 "twin.cpp"
+#line 222 "twin.cpp"
 
 #line 56 "tests/emit/shaders/divergence.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 56 "tests/emit/shaders/divergence.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
     ivec2 q = make<ivec2>(p);
     int n = q.x * 3 + q.y;
     int a = early(n);
@@ -355,7 +296,7 @@ struct Shader : Invocation {
     color = vec4(Float(a + b), w + Float(r), dot(some.at_, bag.turn * v.xy()) + Float(some.tag) + v.z * v.w, Float(c + i * 10 + more[0] * 100 + more[1] + steps + (some.on ? 5000 : 0)));
 #line 74 "tests/emit/shaders/divergence.glsl"
   }
-#line 359 "twin.cpp"
+#line 300 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

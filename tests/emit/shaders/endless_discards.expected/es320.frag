@@ -24,7 +24,7 @@ uniform sampler2D iChannel8 ;
 uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise float sum = 1.0 / ( 1.0 + p . x ) ;
 if ( (shadertwin_test = (p . x + p . y > 20.0)) ) { while ( (shadertwin_test = (sum >= 0.0)) ) { if ( (shadertwin_test = (p . x > 1.0)) ) discard ; } }
 color = vec4 ( p , sum , 1.0 ) ;

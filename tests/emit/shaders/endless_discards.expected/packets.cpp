@@ -1,32 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef color
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef main
-#undef mainImage
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef sum
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -47,7 +19,7 @@ struct Shader : Invocation {
 #line 2 "tests/emit/shaders/endless_discards.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 2 "tests/emit/shaders/endless_discards.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     Float sum = 1.0f / (1.0f + p.x);
     if (Bool active_2 = active && (p.x + p.y > 20.0f); any__(active_2)) {
 #line 4 "tests/emit/shaders/endless_discards.glsl"
@@ -83,7 +55,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(p, sum, 1.0f));
 #line 5 "tests/emit/shaders/endless_discards.glsl"
   }
-#line 87 "twin.cpp"
+#line 59 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

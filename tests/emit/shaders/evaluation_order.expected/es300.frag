@@ -42,7 +42,7 @@ vec2 k = vec2 ( i , i ++ ) ;
 sum . z += k . x * 3.0 + k . y ;
 return sum + vec4 ( r , z , z = 9.0 ) ;
 }
-void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
 state = uint ( p . x ) + 256u * uint ( p . y ) ;
 vec3 v = vec3 ( f ( ) , f ( ) , f ( ) ) ;
 float a = f ( ) - f ( ) ;

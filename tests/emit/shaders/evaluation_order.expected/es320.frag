@@ -42,7 +42,7 @@ precise vec2 k = vec2 ( i , i ++ ) ;
 sum . z += k . x * 3.0 + k . y ;
 return (shadertwin_result = (sum + vec4 ( r , z , z = 9.0 ))) ;
 }
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 state = uint ( p . x ) + 256u * uint ( p . y ) ;
 precise vec3 v = vec3 ( f ( ) , f ( ) , f ( ) ) ;
 precise float a = f ( ) - f ( ) ;

@@ -1,53 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef Pair
-#undef a
-#undef b
-#undef c
-#undef color
-#undef d
-#undef e
-#undef f
-#undef g
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef k
-#undef late
-#undef list
-#undef main
-#undef mainImage
-#undef p
-#undef pick
-#undef q
-#undef r
-#undef rnd
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef state
-#undef sum
-#undef v
-#undef x
-#undef y
-#undef z
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -82,7 +33,7 @@ struct Shader : Invocation {
     return state >> 9;
 #line 3 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 86 "twin.cpp"
+#line 37 "twin.cpp"
 
 #line 4 "tests/emit/shaders/evaluation_order.glsl"
   Float f(Bool active) {
@@ -90,7 +41,7 @@ struct Shader : Invocation {
     return make<Float>(rnd(active) & 255u);
 #line 4 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 94 "twin.cpp"
+#line 45 "twin.cpp"
 
 #line 5 "tests/emit/shaders/evaluation_order.glsl"
   Float g(Bool active, Float a, Float b, Float c) {
@@ -98,7 +49,7 @@ struct Shader : Invocation {
     return a - b * 2.0f + c * 4.0f;
 #line 5 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 102 "twin.cpp"
+#line 53 "twin.cpp"
 
 #line 7 "tests/emit/shaders/evaluation_order.glsl"
   Float pick(Bool active, int i) {
@@ -122,7 +73,7 @@ struct Shader : Invocation {
     return tmp;
 #line 7 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 126 "twin.cpp"
+#line 77 "twin.cpp"
 
 #line 9 "tests/emit/shaders/evaluation_order.glsl"
   vec4 late(Bool active, vec2 q) {
@@ -181,12 +132,12 @@ struct Shader : Invocation {
     return sum + vec4(r, z, tmp_11);
 #line 18 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 185 "twin.cpp"
+#line 136 "twin.cpp"
 
 #line 20 "tests/emit/shaders/evaluation_order.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 20 "tests/emit/shaders/evaluation_order.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     set__(active, state, make<Uint>(p.x) + 256u * make<Uint>(p.y));
     const Float tmp = f(active);
 #line 22 "tests/emit/shaders/evaluation_order.glsl"
@@ -322,7 +273,7 @@ struct Shader : Invocation {
     }
 #line 37 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 326 "twin.cpp"
+#line 277 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,53 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef Pair
-#undef a
-#undef b
-#undef c
-#undef color
-#undef d
-#undef e
-#undef f
-#undef g
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef k
-#undef late
-#undef list
-#undef main
-#undef mainImage
-#undef p
-#undef pick
-#undef q
-#undef r
-#undef rnd
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef state
-#undef sum
-#undef v
-#undef x
-#undef y
-#undef z
 
 namespace shadertwin::glsl {
 namespace {
@@ -81,7 +32,7 @@ struct Shader : Invocation {
     return state >> 9;
 #line 3 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 85 "twin.cpp"
+#line 36 "twin.cpp"
 
 #line 4 "tests/emit/shaders/evaluation_order.glsl"
   Float f() {
@@ -89,7 +40,7 @@ struct Shader : Invocation {
     return Float(rnd() & 255u);
 #line 4 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 93 "twin.cpp"
+#line 44 "twin.cpp"
 
 #line 5 "tests/emit/shaders/evaluation_order.glsl"
   Float g(Float a, Float b, Float c) {
@@ -97,7 +48,7 @@ struct Shader : Invocation {
     return a - b * 2.0f + c * 4.0f;
 #line 5 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 101 "twin.cpp"
+#line 52 "twin.cpp"
 
 #line 7 "tests/emit/shaders/evaluation_order.glsl"
   Float pick(int i) {
@@ -105,7 +56,7 @@ struct Shader : Invocation {
     return i > 1 ? f() : 1.0f;
 #line 7 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 109 "twin.cpp"
+#line 60 "twin.cpp"
 
 #line 9 "tests/emit/shaders/evaluation_order.glsl"
   vec4 late(vec2 q) {
@@ -142,12 +93,12 @@ struct Shader : Invocation {
     return sum + vec4(r, z, tmp_8);
 #line 18 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 146 "twin.cpp"
+#line 97 "twin.cpp"
 
 #line 20 "tests/emit/shaders/evaluation_order.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 20 "tests/emit/shaders/evaluation_order.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
     state = make<uint>(p.x) + 256u * make<uint>(p.y);
     const Float tmp = f();
 #line 22 "tests/emit/shaders/evaluation_order.glsl"
@@ -209,7 +160,7 @@ struct Shader : Invocation {
     }
 #line 37 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 213 "twin.cpp"
+#line 164 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

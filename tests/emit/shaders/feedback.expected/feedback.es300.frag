@@ -26,7 +26,7 @@ uniform sampler2D iKeyboard ;
 
 
 
-void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
 vec4 before = texelFetch ( iChannel0 , ivec2 ( p ) , 0 ) , other = texelFetch ( iChannel1 , ivec2 ( p . yx ) % 8 , 0 ) ;
 if ( iFrame == 1 && p . x < 3.0 ) discard ;
 color = before * 0.5 + other + float ( iFrame ) ;

@@ -26,7 +26,7 @@ uniform sampler2D iKeyboard ;
 
 
 
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise vec4 before = texelFetch ( iChannel0 , ivec2 ( p ) , 0 ) , other = texelFetch ( iChannel1 , ivec2 ( p . yx ) % 8 , 0 ) ;
 if ( (shadertwin_test = (iFrame == 1 && p . x < 3.0)) ) discard ;
 color = before * 0.5 + other + float ( iFrame ) ;

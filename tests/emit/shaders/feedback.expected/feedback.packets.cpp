@@ -1,33 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef before
-#undef color
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef main
-#undef mainImage
-#undef other
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -54,7 +25,7 @@ struct Shader : Invocation {
 #line 4 "tests/emit/shaders/feedback.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 4 "tests/emit/shaders/feedback.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     vec4 before = texelFetch(active, iChannel0, make<ivec2>(p), 0);
 #line 5 "tests/emit/shaders/feedback.glsl"
     vec4 other = texelFetch(active, iChannel1, modulo(make<ivec2>(p.yx()), Int(8)), 0);
@@ -70,7 +41,7 @@ struct Shader : Invocation {
     set__(active, color, before * 0.5f + other + float(iFrame));
 #line 7 "tests/emit/shaders/feedback.glsl"
   }
-#line 74 "twin.cpp"
+#line 45 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,33 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef before
-#undef color
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef main
-#undef mainImage
-#undef other
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
 
 namespace shadertwin::glsl {
 namespace {
@@ -54,7 +25,7 @@ struct Shader : Invocation {
 #line 4 "tests/emit/shaders/feedback.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 4 "tests/emit/shaders/feedback.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
     vec4 before = texelFetch(iChannel0, make<ivec2>(p), 0);
 #line 5 "tests/emit/shaders/feedback.glsl"
     vec4 other = texelFetch(iChannel1, modulo(make<ivec2>(p.yx()), 8), 0);
@@ -66,7 +37,7 @@ struct Shader : Invocation {
     color = before * 0.5f + other + Float(iFrame);
 #line 7 "tests/emit/shaders/feedback.glsl"
   }
-#line 70 "twin.cpp"
+#line 41 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

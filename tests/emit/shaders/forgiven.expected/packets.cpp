@@ -1,44 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef Segment
-#undef a
-#undef b
-#undef c
-#undef choose
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef k
-#undef main
-#undef mainImage
-#undef p
-#undef s
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef shadertwin_fma
-#undef shadertwin_length
-#undef shadertwin_mix
-#undef shadertwin_packed
-#undef shadertwin_step
-#undef shadertwin_unnamed_0
-#undef way
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -73,7 +33,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 77 "twin.cpp"
+#line 37 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   float shadertwin_mix(Bool active, float a, float b, bool c) {
@@ -81,7 +41,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 85 "twin.cpp"
+#line 45 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec2 shadertwin_mix(Bool active, uniform::vec2 a, uniform::vec2 b, uniform::vec2 c) {
@@ -89,7 +49,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 93 "twin.cpp"
+#line 53 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec2 shadertwin_mix(Bool active, uniform::vec2 a, uniform::vec2 b, float c) {
@@ -97,7 +57,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 101 "twin.cpp"
+#line 61 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec2 shadertwin_mix(Bool active, uniform::vec2 a, uniform::vec2 b, uniform::bvec2 c) {
@@ -105,7 +65,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 109 "twin.cpp"
+#line 69 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec3 shadertwin_mix(Bool active, uniform::vec3 a, uniform::vec3 b, uniform::vec3 c) {
@@ -113,7 +73,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 117 "twin.cpp"
+#line 77 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec3 shadertwin_mix(Bool active, uniform::vec3 a, uniform::vec3 b, float c) {
@@ -121,7 +81,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 125 "twin.cpp"
+#line 85 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec3 shadertwin_mix(Bool active, uniform::vec3 a, uniform::vec3 b, uniform::bvec3 c) {
@@ -129,7 +89,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 133 "twin.cpp"
+#line 93 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec4 shadertwin_mix(Bool active, uniform::vec4 a, uniform::vec4 b, uniform::vec4 c) {
@@ -137,7 +97,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 141 "twin.cpp"
+#line 101 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec4 shadertwin_mix(Bool active, uniform::vec4 a, uniform::vec4 b, float c) {
@@ -145,7 +105,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 149 "twin.cpp"
+#line 109 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec4 shadertwin_mix(Bool active, uniform::vec4 a, uniform::vec4 b, uniform::bvec4 c) {
@@ -153,7 +113,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 157 "twin.cpp"
+#line 117 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec2 shadertwin_mix(Bool active, vec2 a, vec2 b, uniform::vec3 c) {
@@ -161,7 +121,7 @@ struct Shader : Invocation {
     return a * vec2(c.xy()) + b * c.z;
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 165 "twin.cpp"
+#line 125 "twin.cpp"
 
 #line 11 "tests/emit/shaders/forgiven.glsl"
   vec3 shadertwin_fma(Bool active, uniform::vec3 a, vec3 b, uniform::vec3 shadertwin_unnamed_0) {
@@ -169,7 +129,7 @@ struct Shader : Invocation {
     return vec3(a) * b;
 #line 11 "tests/emit/shaders/forgiven.glsl"
   }
-#line 173 "twin.cpp"
+#line 133 "twin.cpp"
 
 #line 12 "tests/emit/shaders/forgiven.glsl"
   Float choose(Bool active, Int k) {
@@ -207,18 +167,20 @@ struct Shader : Invocation {
     return result;
 #line 18 "tests/emit/shaders/forgiven.glsl"
   }
-#line 211 "twin.cpp"
+#line 171 "twin.cpp"
 
 #line 20 "tests/emit/shaders/forgiven.glsl"
   void mainImage(Bool active, vec4& c, vec2 p) {
-    set__(active, c, vec4(0.0f));
+#line 20 "tests/emit/shaders/forgiven.glsl"
+    unwritten(active, c);
+#line 22 "tests/emit/shaders/forgiven.glsl"
     Segment s = Segment{Float(2.0f), p};
     s.shadertwin_length = s.shadertwin_length * (0.0f + shadertwin_step);
     set__(active, c, vec4(shadertwin_mix(active, p, s.way, uniform::vec3(1.0f, 2.0f, 3.0f)), shadertwin_mix(active, 1.0f, 2.0f, 0.5f) * shadertwin_packed, choose(active, make<Int>(p.x)) + s.shadertwin_length));
     set__(active, swizzle<0, 1, 2>(c), c.xyz() + shadertwin_fma(active, uniform::vec3(2.0f, 5.0f, 8.0f), vec3(p, 1.0f), uniform::vec3(0.0f)));
 #line 25 "tests/emit/shaders/forgiven.glsl"
   }
-#line 222 "twin.cpp"
+#line 184 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,44 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef Segment
-#undef a
-#undef b
-#undef c
-#undef choose
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef k
-#undef main
-#undef mainImage
-#undef p
-#undef s
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef shadertwin_fma
-#undef shadertwin_length
-#undef shadertwin_mix
-#undef shadertwin_packed
-#undef shadertwin_step
-#undef shadertwin_unnamed_0
-#undef way
 
 namespace shadertwin::glsl {
 namespace {
@@ -72,7 +32,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 76 "twin.cpp"
+#line 36 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   Float shadertwin_mix(Float a, Float b, bool c) {
@@ -80,7 +40,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 84 "twin.cpp"
+#line 44 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec2 shadertwin_mix(vec2 a, vec2 b, vec2 c) {
@@ -88,7 +48,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 92 "twin.cpp"
+#line 52 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec2 shadertwin_mix(vec2 a, vec2 b, Float c) {
@@ -96,7 +56,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 100 "twin.cpp"
+#line 60 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec2 shadertwin_mix(vec2 a, vec2 b, bvec2 c) {
@@ -104,7 +64,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 108 "twin.cpp"
+#line 68 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec3 shadertwin_mix(vec3 a, vec3 b, vec3 c) {
@@ -112,7 +72,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 116 "twin.cpp"
+#line 76 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec3 shadertwin_mix(vec3 a, vec3 b, Float c) {
@@ -120,7 +80,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 124 "twin.cpp"
+#line 84 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec3 shadertwin_mix(vec3 a, vec3 b, bvec3 c) {
@@ -128,7 +88,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 132 "twin.cpp"
+#line 92 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec4 shadertwin_mix(vec4 a, vec4 b, vec4 c) {
@@ -136,7 +96,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 140 "twin.cpp"
+#line 100 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec4 shadertwin_mix(vec4 a, vec4 b, Float c) {
@@ -144,7 +104,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 148 "twin.cpp"
+#line 108 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec4 shadertwin_mix(vec4 a, vec4 b, bvec4 c) {
@@ -152,7 +112,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 156 "twin.cpp"
+#line 116 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec2 shadertwin_mix(vec2 a, vec2 b, vec3 c) {
@@ -160,7 +120,7 @@ struct Shader : Invocation {
     return a * c.xy() + b * c.z;
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 164 "twin.cpp"
+#line 124 "twin.cpp"
 
 #line 11 "tests/emit/shaders/forgiven.glsl"
   vec3 shadertwin_fma(vec3 a, vec3 b, vec3 shadertwin_unnamed_0) {
@@ -168,7 +128,7 @@ struct Shader : Invocation {
     return a * b;
 #line 11 "tests/emit/shaders/forgiven.glsl"
   }
-#line 172 "twin.cpp"
+#line 132 "twin.cpp"
 
 #line 12 "tests/emit/shaders/forgiven.glsl"
   Float choose(int k) {
@@ -196,18 +156,20 @@ struct Shader : Invocation {
     return shadertwin_step;
 #line 18 "tests/emit/shaders/forgiven.glsl"
   }
-#line 200 "twin.cpp"
+#line 160 "twin.cpp"
 
 #line 20 "tests/emit/shaders/forgiven.glsl"
   void mainImage(vec4& c, vec2 p) {
-    c = vec4(0.0f);
+#line 20 "tests/emit/shaders/forgiven.glsl"
+    unwritten(c);
+#line 22 "tests/emit/shaders/forgiven.glsl"
     Segment s = Segment{2.0f, p};
     s.shadertwin_length *= 0.0f + shadertwin_step;
     c = vec4(shadertwin_mix(p, s.way, vec3(1.0f, 2.0f, 3.0f)), shadertwin_mix(1.0f, 2.0f, 0.5f) * shadertwin_packed, choose(make<int>(p.x)) + s.shadertwin_length);
     swizzle<0, 1, 2>(c) += shadertwin_fma(vec3(2.0f, 5.0f, 8.0f), vec3(p, 1.0f), vec3(0.0f));
 #line 25 "tests/emit/shaders/forgiven.glsl"
   }
-#line 211 "twin.cpp"
+#line 173 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

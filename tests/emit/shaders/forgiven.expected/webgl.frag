@@ -43,7 +43,7 @@ case 1: break; ;
 return shadertwin_step;
 }
 void mainImage(out  vec4 c,  vec2 p)
-{ c = vec4(0);
+{
 Segment s = Segment(2.0, p);
 s.shadertwin_length *= 1.0 + - 1.0 + shadertwin_step;
 c = vec4(shadertwin_mix(p, s.way, vec3(1, 2, 3)), shadertwin_mix(1.0, 2.0, 0.5) * shadertwin_packed, choose(int(p.x)) + s.shadertwin_length);

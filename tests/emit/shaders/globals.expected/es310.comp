@@ -32,7 +32,7 @@ mat2 m = mat2 ( 1.0 , 0.0 , 0.0 , 1.0 ) ;
 struct S { float x ; vec2 y ; } s = S ( 1.0 , vec2 ( 2.0 ) ) ;
 vec4 unused = vec4(0) ;
 float step_ ( ) { a += 1.0 ; count -- ; list [ 1 ] *= 2.0 ; s . y . x += a ; return a ; }
-void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
 b . xy = p ; c = step_ ( ) + step_ ( ) * 8.0 ; m [ 1 ] *= p ;
 for ( int i = 0 ; i < 2 ; i ++ ) c += list [ i ] + float ( count ) ;
 color = vec4 ( a + c , b . x + d , kk + s . y * m ) ;

@@ -1,47 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef S
-#undef a
-#undef b
-#undef c
-#undef color
-#undef constant
-#undef count
-#undef d
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef kk
-#undef list
-#undef m
-#undef main
-#undef mainImage
-#undef p
-#undef s
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef step__
-#undef unused
-#undef x
-#undef y
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -101,12 +58,12 @@ struct Shader : Invocation {
     return a;
 #line 9 "tests/emit/shaders/globals.glsl"
   }
-#line 105 "twin.cpp"
+#line 62 "twin.cpp"
 
 #line 10 "tests/emit/shaders/globals.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 10 "tests/emit/shaders/globals.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     set__(active, swizzle<0, 1>(b), p);
 #line 11 "tests/emit/shaders/globals.glsl"
     const Float tmp = step__(active);
@@ -122,7 +79,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(a + c, b.x + d, vec2(kk) + s.y * m));
 #line 13 "tests/emit/shaders/globals.glsl"
   }
-#line 126 "twin.cpp"
+#line 83 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -74,7 +74,7 @@ for ( precise float a = 0. ; (shadertwin_test = (vec2 ( a ) , a < 2.)) ; vec2 ( 
 return (shadertwin_result = (O . w > .5 ? O * next ( ) : O / next ( ))) ;
 }
 
-void mainImage ( precise out vec4 O , precise in vec2 I ) { precise bool shadertwin_test; O = vec4 ( 0 ) ; O = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 O , precise in vec2 I ) { precise bool shadertwin_test; O = vec4 ( 0 ) ;
 O = I . y < 3. ? steps ( I ) : I . y < 5. ? folds ( I ) : I . y < 7. ? headers ( I ) : constructors ( I ) ;
 }
 void main ( ) { precise bool shadertwin_test; precise vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

@@ -1,51 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef C
-#undef I
-#undef O
-#undef a
-#undef c
-#undef constructors
-#undef d
-#undef e
-#undef folds
-#undef g
-#undef headers
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef j
-#undef k
-#undef main
-#undef mainImage
-#undef n
-#undef next
-#undef p
-#undef s
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef steps
-#undef u
-#undef x
-#undef z
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -75,7 +28,7 @@ struct Shader : Invocation {
     return n;
 #line 7 "tests/emit/shaders/golf.glsl"
   }
-#line 79 "twin.cpp"
+#line 32 "twin.cpp"
 
 #line 9 "tests/emit/shaders/golf.glsl"
   vec4 steps(Bool active, vec2 u) {
@@ -105,7 +58,7 @@ struct Shader : Invocation {
     return tanh(O / 20.0f);
 #line 14 "tests/emit/shaders/golf.glsl"
   }
-#line 109 "twin.cpp"
+#line 62 "twin.cpp"
 
 #line 17 "tests/emit/shaders/golf.glsl"
   vec4 folds(Bool active, vec2 u) {
@@ -133,7 +86,7 @@ struct Shader : Invocation {
     return vec4(p, d, e + i * 3.0f);
 #line 21 "tests/emit/shaders/golf.glsl"
   }
-#line 137 "twin.cpp"
+#line 90 "twin.cpp"
 
 #line 24 "tests/emit/shaders/golf.glsl"
   vec4 headers(Bool active, vec2 u) {
@@ -186,7 +139,7 @@ struct Shader : Invocation {
     return O;
 #line 36 "tests/emit/shaders/golf.glsl"
   }
-#line 190 "twin.cpp"
+#line 143 "twin.cpp"
 
 #line 39 "tests/emit/shaders/golf.glsl"
   vec4 constructors(Bool active, vec2 u) {
@@ -260,12 +213,10 @@ struct Shader : Invocation {
     return tmp_2;
 #line 49 "tests/emit/shaders/golf.glsl"
   }
-#line 264 "twin.cpp"
+#line 217 "twin.cpp"
 
 #line 52 "tests/emit/shaders/golf.glsl"
   void mainImage(Bool active, vec4& O, vec2 I) {
-#line 52 "tests/emit/shaders/golf.glsl"
-    set__(active, O, vec4(0.0f));
     const Bool condition = I.y < 3.0f;
 #line 53 "tests/emit/shaders/golf.glsl"
     vec4 tmp{};
@@ -317,7 +268,7 @@ struct Shader : Invocation {
     set__(active, O, tmp);
 #line 53 "tests/emit/shaders/golf.glsl"
   }
-#line 321 "twin.cpp"
+#line 272 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

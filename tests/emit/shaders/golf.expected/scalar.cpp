@@ -1,51 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef C
-#undef I
-#undef O
-#undef a
-#undef c
-#undef constructors
-#undef d
-#undef e
-#undef folds
-#undef g
-#undef headers
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef j
-#undef k
-#undef main
-#undef mainImage
-#undef n
-#undef next
-#undef p
-#undef s
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef steps
-#undef u
-#undef x
-#undef z
 
 namespace shadertwin::glsl {
 namespace {
@@ -73,7 +26,7 @@ struct Shader : Invocation {
     return n += 1.0f;
 #line 7 "tests/emit/shaders/golf.glsl"
   }
-#line 77 "twin.cpp"
+#line 30 "twin.cpp"
 
 #line 9 "tests/emit/shaders/golf.glsl"
   vec4 steps(vec2 u) {
@@ -99,7 +52,7 @@ struct Shader : Invocation {
     return tanh(O / 20.0f);
 #line 14 "tests/emit/shaders/golf.glsl"
   }
-#line 103 "twin.cpp"
+#line 56 "twin.cpp"
 
 #line 17 "tests/emit/shaders/golf.glsl"
   vec4 folds(vec2 u) {
@@ -123,7 +76,7 @@ struct Shader : Invocation {
     return vec4(p, d, e + i * 3.0f);
 #line 21 "tests/emit/shaders/golf.glsl"
   }
-#line 127 "twin.cpp"
+#line 80 "twin.cpp"
 
 #line 24 "tests/emit/shaders/golf.glsl"
   vec4 headers(vec2 u) {
@@ -176,7 +129,7 @@ struct Shader : Invocation {
     return O;
 #line 36 "tests/emit/shaders/golf.glsl"
   }
-#line 180 "twin.cpp"
+#line 133 "twin.cpp"
 
 #line 39 "tests/emit/shaders/golf.glsl"
   vec4 constructors(vec2 u) {
@@ -216,16 +169,14 @@ struct Shader : Invocation {
     return O.w > 0.5f ? O * next() : O / next();
 #line 49 "tests/emit/shaders/golf.glsl"
   }
-#line 220 "twin.cpp"
+#line 173 "twin.cpp"
 
 #line 52 "tests/emit/shaders/golf.glsl"
   void mainImage(vec4& O, vec2 I) {
-#line 52 "tests/emit/shaders/golf.glsl"
-    O = vec4(0.0f);
     O = I.y < 3.0f ? steps(I) : I.y < 5.0f ? folds(I) : I.y < 7.0f ? headers(I) : constructors(I);
 #line 53 "tests/emit/shaders/golf.glsl"
   }
-#line 229 "twin.cpp"
+#line 180 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -74,7 +74,7 @@ for (float a = 0.; vec2(a), a < 2.; vec2(i), a++) O.x += float((vec3(a), int(a))
 return O.w > .5 ? O * next() : O / next();
 }
 
-void mainImage(out vec4 O, in vec2 I) { O = vec4(0);
+void mainImage(out vec4 O, in vec2 I) {
 O = I.y < 3. ? steps(I) : I.y < 5. ? folds(I) : I.y < 7. ? headers(I) : constructors(I);
 }
 void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); shadertoy_out_color = shadertoy_color; }

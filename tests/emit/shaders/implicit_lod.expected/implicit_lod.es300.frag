@@ -27,7 +27,7 @@ uniform sampler2D iKeyboard ;
 
 
 
-void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
 vec2 uv = p / iResolution . xy ;
 color = texture ( iChannel0 , uv * 3.7 ) ;
 if ( p . x > 8.0 ) color += texture ( iChannel0 , uv * uv . x * 5.0 , 0.5 ) ;

@@ -27,7 +27,7 @@ uniform sampler2D iKeyboard ;
 
 
 
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise vec2 uv = p / iResolution . xy ;
 color = texture ( iChannel0 , uv * 3.7 ) ;
 if ( (shadertwin_test = (p . x > 8.0)) ) color += texture ( iChannel0 , uv * uv . x * 5.0 , 0.5 ) ;

@@ -1,32 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef color
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef main
-#undef mainImage
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef uv
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -51,7 +23,7 @@ struct Shader : Invocation {
 #line 5 "tests/emit/shaders/implicit_lod.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 5 "tests/emit/shaders/implicit_lod.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     vec2 uv = p / vec2(iResolution.xy());
     set__(active, color, texture(active, iChannel0, uv * 3.7f));
     if (Bool active_2 = active && (p.x > 8.0f); any__(active_2)) {
@@ -62,7 +34,7 @@ struct Shader : Invocation {
     set__(active, color, color + (textureLod(active, iChannel0, uv, 1.5f) + textureGrad(active, iChannel0, uv, uniform::vec2(0.2f, 0.0f), uniform::vec2(0.0f, 0.1f))));
 #line 9 "tests/emit/shaders/implicit_lod.glsl"
   }
-#line 66 "twin.cpp"
+#line 38 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -24,7 +24,7 @@ uniform sampler2D iChannel8 ;
 uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise uint h = uint ( p . x ) * 374761393u + uint ( p . y ) * 668265263u + uint ( iFrame ) * 2246822519u ;
 h = ( h ^ ( h >> 13 ) ) * 1274126177u ;
 color = vec4 ( h & 255u , ( h >> 8 ) & 255u , ( h >> 16 ) & 255u , h >> 24 ) / 255.0 * 4.0 - 1.0 ;

@@ -27,11 +27,11 @@ uniform sampler2D iKeyboard ;
 precise vec3 shared_value = vec3 ( 1.0 , 2.0 , 3.0 ) ;
 precise float counter = 0.0 ;
 void add ( precise inout float a , precise in float b , precise inout float c ) { precise bool shadertwin_test; a += b ; c = a * 2.0 ; }
-void write ( precise out vec2 v , precise float x ) { precise bool shadertwin_test; v = vec2 ( 0 ) ; v = vec2 ( 0 ) ; v = vec2 ( x , - x ) ; }
+void write ( precise out vec2 v , precise float x ) { precise bool shadertwin_test; v = vec2 ( 0 ) ; v = vec2 ( x , - x ) ; }
 float touch_global ( precise inout vec3 v ) { precise bool shadertwin_test; precise float shadertwin_result; v . x = 10.0 ; counter += shared_value . x ; shared_value . y = 5.0 ; return (shadertwin_result = (shared_value . x + v . y)) ; }
 float next ( precise inout float s ) { precise bool shadertwin_test; precise float shadertwin_result; s += 0.25 ; return (shadertwin_result = (s)) ; }
-void half_written ( precise out vec4 v , precise float x ) { precise bool shadertwin_test; v = vec4 ( 0 ) ; v = vec4 ( 0 ) ; if ( (shadertwin_test = (x > 0.5)) ) v . xy = vec2 ( x ) ; v . z = 1.0 ; }
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void half_written ( precise out vec4 v , precise float x ) { precise bool shadertwin_test; v = vec4 ( 0 ) ; if ( (shadertwin_test = (x > 0.5)) ) v . xy = vec2 ( x ) ; v . z = 1.0 ; }
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise float x = p . x / 8.0 ;
 precise vec4 v = vec4 ( x , 2.0 , 3.0 , 4.0 ) ;
 write ( v . zx , x ) ;

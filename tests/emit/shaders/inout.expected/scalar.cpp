@@ -1,49 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef a
-#undef add
-#undef b
-#undef c
-#undef color
-#undef counter
-#undef half_written
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef list
-#undef main
-#undef mainImage
-#undef next
-#undef p
-#undef pair
-#undef r
-#undef s
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef shared_value
-#undef sum
-#undef touch_global
-#undef v
-#undef write
-#undef x
 
 namespace shadertwin::glsl {
 namespace {
@@ -73,17 +28,15 @@ struct Shader : Invocation {
     c = a * 2.0f;
 #line 4 "tests/emit/shaders/inout.glsl"
   }
-#line 77 "twin.cpp"
+#line 32 "twin.cpp"
 
 #line 5 "tests/emit/shaders/inout.glsl"
   void write(vec2& v, Float x) {
 #line 5 "tests/emit/shaders/inout.glsl"
-    v = vec2(0.0f);
-#line 5 "tests/emit/shaders/inout.glsl"
     v = vec2(x, -x);
 #line 5 "tests/emit/shaders/inout.glsl"
   }
-#line 87 "twin.cpp"
+#line 40 "twin.cpp"
 
 #line 6 "tests/emit/shaders/inout.glsl"
   Float touch_global(vec3& v) {
@@ -97,7 +50,7 @@ struct Shader : Invocation {
     return shared_value.x + v.y;
 #line 6 "tests/emit/shaders/inout.glsl"
   }
-#line 101 "twin.cpp"
+#line 54 "twin.cpp"
 
 #line 7 "tests/emit/shaders/inout.glsl"
   Float next(Float& s) {
@@ -107,12 +60,12 @@ struct Shader : Invocation {
     return s;
 #line 7 "tests/emit/shaders/inout.glsl"
   }
-#line 111 "twin.cpp"
+#line 64 "twin.cpp"
 
 #line 8 "tests/emit/shaders/inout.glsl"
   void half_written(vec4& v, Float x) {
 #line 8 "tests/emit/shaders/inout.glsl"
-    v = vec4(0.0f);
+    unwritten(v);
 #line 8 "tests/emit/shaders/inout.glsl"
     if (x > 0.5f) {
 #line 8 "tests/emit/shaders/inout.glsl"
@@ -123,12 +76,12 @@ struct Shader : Invocation {
     v.z = 1.0f;
 #line 8 "tests/emit/shaders/inout.glsl"
   }
-#line 127 "twin.cpp"
+#line 80 "twin.cpp"
 
 #line 9 "tests/emit/shaders/inout.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 9 "tests/emit/shaders/inout.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
     Float x = p.x / 8.0f;
     vec4 v = vec4(x, 2.0f, 3.0f, 4.0f);
     vec2 tmp;
@@ -185,7 +138,7 @@ struct Shader : Invocation {
     }
 #line 23 "tests/emit/shaders/inout.glsl"
   }
-#line 189 "twin.cpp"
+#line 142 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -27,11 +27,11 @@ uniform sampler2D iKeyboard;
 vec3 shared_value = vec3(1.0, 2.0, 3.0);
 float counter = 0.0;
 void add(inout float a, in float b, inout float c) { a += b; c = a * 2.0; }
-void write(out vec2 v, float x) { v = vec2(0); v = vec2(x, -x); }
+void write(out vec2 v, float x) { v = vec2(x, -x); }
 float touch_global(inout vec3 v) { v.x = 10.0; counter += shared_value.x; shared_value.y = 5.0; return shared_value.x + v.y; }
 float next(inout float s) { s += 0.25; return s; }
-void half_written(out vec4 v, float x) { v = vec4(0); if (x > 0.5) v.xy = vec2(x); v.z = 1.0; }
-void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
+void half_written(out vec4 v, float x) { if (x > 0.5) v.xy = vec2(x); v.z = 1.0; }
+void mainImage(out vec4 color, in vec2 p) {
 float x = p.x / 8.0;
 vec4 v = vec4(x, 2.0, 3.0, 4.0);
 write(v.zx, x);

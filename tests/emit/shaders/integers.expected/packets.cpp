@@ -1,42 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef color
-#undef d
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef m
-#undef main
-#undef mainImage
-#undef odd
-#undef p
-#undef product
-#undef q
-#undef rounded
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef u
-#undef v
-#undef wrapped
-#undef x
-#undef y
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -57,7 +19,7 @@ struct Shader : Invocation {
 #line 2 "tests/emit/shaders/integers.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 2 "tests/emit/shaders/integers.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     Int x = make<Int>(p.x) - 8;
 #line 3 "tests/emit/shaders/integers.glsl"
     Int y = make<Int>(p.y);
@@ -116,7 +78,7 @@ struct Shader : Invocation {
     }
 #line 22 "tests/emit/shaders/integers.glsl"
   }
-#line 120 "twin.cpp"
+#line 82 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -24,7 +24,7 @@ uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
 
-void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
+void mainImage(out vec4 color, in vec2 p) {
 int x = int(p.x) - 8, y = int(p.y);
 uint u = uint(int(p.x)) * 2654435769u + uint(y) * 0x9E3779B9u;
 u ^= u >> 16; u *= 0x85ebca6bu; u ^= u >> 13; u += 1U << 31;

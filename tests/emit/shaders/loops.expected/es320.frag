@@ -24,7 +24,7 @@ uniform sampler2D iChannel8 ;
 uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise float a = 0.0 , b = 0.0 , prev = 0.0 ;
 for ( precise int i = 0 , j = 10 ; (shadertwin_test = (i < j)) ; i ++ , j -- ) { if ( (shadertwin_test = (i == 2)) ) continue ; a += float ( i * j ) ; }
 precise int k = int ( p . x ) % 5 ;

@@ -1,45 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef a
-#undef b
-#undef color
-#undef cur
-#undef fresh
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef j
-#undef k
-#undef later
-#undef main
-#undef mainImage
-#undef n
-#undef once
-#undef p
-#undef prev
-#undef q
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef sum
-#undef t
 
 namespace shadertwin::glsl {
 namespace {
@@ -60,7 +19,7 @@ struct Shader : Invocation {
 #line 2 "tests/emit/shaders/loops.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 2 "tests/emit/shaders/loops.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
     Float a = 0.0f;
 #line 3 "tests/emit/shaders/loops.glsl"
     Float b = 0.0f;
@@ -189,7 +148,7 @@ struct Shader : Invocation {
     color = vec4(a, b, sum, fresh + Float(n) + Float(i) + later);
 #line 20 "tests/emit/shaders/loops.glsl"
   }
-#line 193 "twin.cpp"
+#line 152 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -24,7 +24,7 @@ uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
 
-void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
+void mainImage(out vec4 color, in vec2 p) {
 float a = 0.0, b = 0.0, prev;
 for (int i = 0, j = 10; i < j; i++, j--) { if (i == 2) continue; a += float(i * j); }
 int k = int(p.x) % 5;

@@ -25,7 +25,7 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 mat3 rotation ( float a ) { float c = 0.5 + a , s = 0.25 ; return mat3 ( c , - s , 0.0 , s , c , 0.0 , 0.0 , 0.0 , 1.0 ) ; }
-void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
 mat2 m = mat2 ( 1.0 , 2.0 , p . x , p . y ) ;
 m *= 2.0 ; m += 1.0 ; m [ 1 ] -= vec2 ( 0.5 ) ; m [ 0 ] [ 1 ] = 4.0 ; m -= mat2 ( 1.0 ) ;
 vec2 v = p ; v *= m ; v = m * v ;

@@ -38,7 +38,7 @@ struct private_ { float operator_ ; vec2 friend_ ; } ;
 float map ( precise vec3 p ) { precise bool shadertwin_test; precise float shadertwin_result; return (shadertwin_result = (p . x)) ; }
 float noise ( precise float p ) { precise bool shadertwin_test; precise float shadertwin_result; return (shadertwin_result = (p * 0.5)) ; }
 precise vec2 uv = vec2 ( 3.0 ) ;
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise float noise = noise ( _Complex ( p . x ) ) , length = length ( p * vec2 ( 0.0 , 1.0 ) ) , mix = mix ( 0.0 , 4.0 , 0.5 ) ;
 precise float char = 1.0 , signed = 2.0 , new = 3.0 , nullptr = 4.0 , main_ = 5.0 , thread_local = 6.0 , xor = 7.0 , not_eq = 8.0 , wchar_t = 9.0 ;
 precise float array_ = array ( p . y ) , Shader = 2.0 , vec = 3.0 , glm = 4.0 , tmp = 1.0 , make = 3.0 , divide = 2.0 , lane_ = 4.0 ;

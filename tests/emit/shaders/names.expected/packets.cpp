@@ -3,77 +3,10 @@
 #undef INFINITY
 #undef M_PI
 #undef NULL
-#undef Shader_
 #undef _Atomic_
 #undef _Complex_
-#undef a
-#undef and_
-#undef array_
-#undef array__
 #undef assert
-#undef at_
-#undef char_
-#undef class__
-#undef color
-#undef delete_
-#undef divide_
 #undef errno
-#undef fract__
-#undef friend__
-#undef glm
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef int__
-#undef lane_
-#undef length
-#undef main
-#undef mainImage
-#undef main_
-#undef make_
-#undef map
-#undef mix
-#undef new_
-#undef noise
-#undef not_eq_
-#undef nullptr_
-#undef operator__
-#undef or_
-#undef p
-#undef private__
-#undef register__
-#undef s
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef signed_
-#undef std_
-#undef swizzle_
-#undef this__
-#undef thread_local_
-#undef tmp
-#undef uv
-#undef vec
-#undef wchar_t_
-#undef x
-#undef xor_
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -120,7 +53,7 @@ struct Shader : Invocation {
     return a;
 #line 3 "tests/emit/shaders/names.glsl"
   }
-#line 124 "twin.cpp"
+#line 57 "twin.cpp"
 
 #line 4 "tests/emit/shaders/names.glsl"
   float delete_(Bool active, float this__) {
@@ -128,7 +61,7 @@ struct Shader : Invocation {
     return this__ + 1.0f;
 #line 4 "tests/emit/shaders/names.glsl"
   }
-#line 132 "twin.cpp"
+#line 65 "twin.cpp"
 
 #line 5 "tests/emit/shaders/names.glsl"
   float int__(Bool active, float and_) {
@@ -138,7 +71,7 @@ struct Shader : Invocation {
     return or_;
 #line 5 "tests/emit/shaders/names.glsl"
   }
-#line 142 "twin.cpp"
+#line 75 "twin.cpp"
 
 #line 6 "tests/emit/shaders/names.glsl"
   float fract__(Bool active, float x) {
@@ -146,7 +79,7 @@ struct Shader : Invocation {
     return x - floor(x);
 #line 6 "tests/emit/shaders/names.glsl"
   }
-#line 150 "twin.cpp"
+#line 83 "twin.cpp"
 
 #line 7 "tests/emit/shaders/names.glsl"
   Float array_(Bool active, Float std_) {
@@ -154,7 +87,7 @@ struct Shader : Invocation {
     return std_ * 3.0f;
 #line 7 "tests/emit/shaders/names.glsl"
   }
-#line 158 "twin.cpp"
+#line 91 "twin.cpp"
 
 #line 8 "tests/emit/shaders/names.glsl"
   float swizzle_(Bool active, float at_) {
@@ -162,7 +95,7 @@ struct Shader : Invocation {
     return at_ - 1.0f;
 #line 8 "tests/emit/shaders/names.glsl"
   }
-#line 166 "twin.cpp"
+#line 99 "twin.cpp"
 
 #line 9 "tests/emit/shaders/names.glsl"
   Float _Complex_(Bool active, Float _Atomic_) {
@@ -170,7 +103,7 @@ struct Shader : Invocation {
     return _Atomic_;
 #line 9 "tests/emit/shaders/names.glsl"
   }
-#line 174 "twin.cpp"
+#line 107 "twin.cpp"
 
 #line 13 "tests/emit/shaders/names.glsl"
   float map(Bool active, uniform::vec3 p) {
@@ -178,7 +111,7 @@ struct Shader : Invocation {
     return p.x;
 #line 13 "tests/emit/shaders/names.glsl"
   }
-#line 182 "twin.cpp"
+#line 115 "twin.cpp"
 
 #line 14 "tests/emit/shaders/names.glsl"
   Float noise(Bool active, Float p) {
@@ -186,12 +119,12 @@ struct Shader : Invocation {
     return p * 0.5f;
 #line 14 "tests/emit/shaders/names.glsl"
   }
-#line 190 "twin.cpp"
+#line 123 "twin.cpp"
 
 #line 16 "tests/emit/shaders/names.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 16 "tests/emit/shaders/names.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     Float noise_2 = noise(active, _Complex_(active, p.x));
 #line 17 "tests/emit/shaders/names.glsl"
     Float length_2 = length(p * vec2(0.0f, 1.0f));
@@ -245,7 +178,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(noise_2 + length_2 + mix, char_ + signed_ * new_ + nullptr_ + main_ + thread_local_ + xor_ + not_eq_ + wchar_t_, array__ + Shader_ + vec + glm + tmp + make_ + divide_ + lane_ + swizzle_(active, delete_(active, int__(active, 1.0f))), M_PI + NULL + EOF + assert + errno + INFINITY + s.friend__.y + s.operator__ + uv_2.y + map(active, uniform::vec3(1.0f)) + class__(active, 2.0f) + fract__(active, 1.25f)));
 #line 23 "tests/emit/shaders/names.glsl"
   }
-#line 249 "twin.cpp"
+#line 182 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -3,77 +3,10 @@
 #undef INFINITY
 #undef M_PI
 #undef NULL
-#undef Shader_
 #undef _Atomic_
 #undef _Complex_
-#undef a
-#undef and_
-#undef array_
-#undef array__
 #undef assert
-#undef at_
-#undef char_
-#undef class__
-#undef color
-#undef delete_
-#undef divide_
 #undef errno
-#undef fract__
-#undef friend__
-#undef glm
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef int__
-#undef lane_
-#undef length
-#undef main
-#undef mainImage
-#undef main_
-#undef make_
-#undef map
-#undef mix
-#undef new_
-#undef noise
-#undef not_eq_
-#undef nullptr_
-#undef operator__
-#undef or_
-#undef p
-#undef private__
-#undef register__
-#undef s
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef signed_
-#undef std_
-#undef swizzle_
-#undef this__
-#undef thread_local_
-#undef tmp
-#undef uv
-#undef vec
-#undef wchar_t_
-#undef x
-#undef xor_
 
 namespace shadertwin::glsl {
 namespace {
@@ -119,7 +52,7 @@ struct Shader : Invocation {
     return a;
 #line 3 "tests/emit/shaders/names.glsl"
   }
-#line 123 "twin.cpp"
+#line 56 "twin.cpp"
 
 #line 4 "tests/emit/shaders/names.glsl"
   Float delete_(Float this__) {
@@ -127,7 +60,7 @@ struct Shader : Invocation {
     return this__ + 1.0f;
 #line 4 "tests/emit/shaders/names.glsl"
   }
-#line 131 "twin.cpp"
+#line 64 "twin.cpp"
 
 #line 5 "tests/emit/shaders/names.glsl"
   Float int__(Float and_) {
@@ -137,7 +70,7 @@ struct Shader : Invocation {
     return or_;
 #line 5 "tests/emit/shaders/names.glsl"
   }
-#line 141 "twin.cpp"
+#line 74 "twin.cpp"
 
 #line 6 "tests/emit/shaders/names.glsl"
   Float fract__(Float x) {
@@ -145,7 +78,7 @@ struct Shader : Invocation {
     return x - floor(x);
 #line 6 "tests/emit/shaders/names.glsl"
   }
-#line 149 "twin.cpp"
+#line 82 "twin.cpp"
 
 #line 7 "tests/emit/shaders/names.glsl"
   Float array_(Float std_) {
@@ -153,7 +86,7 @@ struct Shader : Invocation {
     return std_ * 3.0f;
 #line 7 "tests/emit/shaders/names.glsl"
   }
-#line 157 "twin.cpp"
+#line 90 "twin.cpp"
 
 #line 8 "tests/emit/shaders/names.glsl"
   Float swizzle_(Float at_) {
@@ -161,7 +94,7 @@ struct Shader : Invocation {
     return at_ - 1.0f;
 #line 8 "tests/emit/shaders/names.glsl"
   }
-#line 165 "twin.cpp"
+#line 98 "twin.cpp"
 
 #line 9 "tests/emit/shaders/names.glsl"
   Float _Complex_(Float _Atomic_) {
@@ -169,7 +102,7 @@ struct Shader : Invocation {
     return _Atomic_;
 #line 9 "tests/emit/shaders/names.glsl"
   }
-#line 173 "twin.cpp"
+#line 106 "twin.cpp"
 
 #line 13 "tests/emit/shaders/names.glsl"
   Float map(vec3 p) {
@@ -177,7 +110,7 @@ struct Shader : Invocation {
     return p.x;
 #line 13 "tests/emit/shaders/names.glsl"
   }
-#line 181 "twin.cpp"
+#line 114 "twin.cpp"
 
 #line 14 "tests/emit/shaders/names.glsl"
   Float noise(Float p) {
@@ -185,12 +118,12 @@ struct Shader : Invocation {
     return p * 0.5f;
 #line 14 "tests/emit/shaders/names.glsl"
   }
-#line 189 "twin.cpp"
+#line 122 "twin.cpp"
 
 #line 16 "tests/emit/shaders/names.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 16 "tests/emit/shaders/names.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
     Float noise_2 = noise(_Complex_(p.x));
 #line 17 "tests/emit/shaders/names.glsl"
     Float length_2 = length(p * vec2(0.0f, 1.0f));
@@ -244,7 +177,7 @@ struct Shader : Invocation {
     color = vec4(noise_2 + length_2 + mix, char_ + signed_ * new_ + nullptr_ + main_ + thread_local_ + xor_ + not_eq_ + wchar_t_, array__ + Shader_ + vec + glm + tmp + make_ + divide_ + lane_ + swizzle_(delete_(int__(1.0f))), M_PI + NULL + EOF + assert + errno + INFINITY + s.friend__.y + s.operator__ + uv_2.y + map(vec3(1.0f)) + class__(2.0f) + fract__(1.25f));
 #line 23 "tests/emit/shaders/names.glsl"
   }
-#line 248 "twin.cpp"
+#line 181 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -38,7 +38,7 @@ struct private_ { float operator_; vec2 friend_; };
 float map(vec3 p) { return p.x; }
 float noise(float p) { return p * 0.5; }
 vec2 uv = vec2(3.0);
-void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
+void mainImage(out vec4 color, in vec2 p) {
 float noise = noise(_Complex(p.x)), length = length(p * vec2(0.0, 1.0)), mix = mix(0.0, 4.0, 0.5);
 float char = 1.0, signed = 2.0, new = 3.0, nullptr = 4.0, main_ = 5.0, thread_local = 6.0, xor = 7.0, not_eq = 8.0, wchar_t = 9.0;
 float array_ = array(p.y), Shader = 2.0, vec = 3.0, glm = 4.0, tmp = 1.0, make = 3.0, divide = 2.0, lane_ = 4.0;

@@ -38,7 +38,7 @@ float f ( float v [ 2 ] ) { return v [ 0 ] - v [ 1 ] ; }
 bool f ( bool b ) { return ! b ; }
 void nothing ( ) { }
 vec4 zero ( ) { nothing ( ) ; return vec4 ( 0 ) ; }
-void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
 color = zero ( ) + vec4 ( f ( p . x ) + f ( int ( p . x ) ) , f ( p , 2.0 ) , f ( uint ( p . y ) ) + f ( mat2 ( p . x ) ) , g ( p . y , 3 ) + f ( float [ 2 ] ( p . x , p . y ) ) + ( f ( p . x > 3.0 ) ? 1.0 : 0.0 ) ) ;
 }
 void main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

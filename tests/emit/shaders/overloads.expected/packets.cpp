@@ -1,43 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef b
-#undef color
-#undef f
-#undef g
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef m
-#undef main
-#undef mainImage
-#undef nothing
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef u
-#undef unused
-#undef v
-#undef w
-#undef x
-#undef zero
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -61,7 +22,7 @@ struct Shader : Invocation {
     return x + 1.0f;
 #line 5 "tests/emit/shaders/overloads.glsl"
   }
-#line 65 "twin.cpp"
+#line 26 "twin.cpp"
 
 #line 6 "tests/emit/shaders/overloads.glsl"
   Float f(Bool active, Uint u) {
@@ -69,7 +30,7 @@ struct Shader : Invocation {
     return make<Float>(u) + 0.125f;
 #line 6 "tests/emit/shaders/overloads.glsl"
   }
-#line 73 "twin.cpp"
+#line 34 "twin.cpp"
 
 #line 7 "tests/emit/shaders/overloads.glsl"
   Float f(Bool active, Int i) {
@@ -77,7 +38,7 @@ struct Shader : Invocation {
     return make<Float>(i) + 0.25f;
 #line 7 "tests/emit/shaders/overloads.glsl"
   }
-#line 81 "twin.cpp"
+#line 42 "twin.cpp"
 
 #line 8 "tests/emit/shaders/overloads.glsl"
   Float f(Bool active, Float x) {
@@ -85,7 +46,7 @@ struct Shader : Invocation {
     return x + 0.5f;
 #line 8 "tests/emit/shaders/overloads.glsl"
   }
-#line 89 "twin.cpp"
+#line 50 "twin.cpp"
 
 #line 9 "tests/emit/shaders/overloads.glsl"
   Float f(Bool active, vec2 v) {
@@ -93,7 +54,7 @@ struct Shader : Invocation {
     return f(active, v.x) + f(active, v.y);
 #line 9 "tests/emit/shaders/overloads.glsl"
   }
-#line 97 "twin.cpp"
+#line 58 "twin.cpp"
 
 #line 10 "tests/emit/shaders/overloads.glsl"
   Float f(Bool active, vec2 v, float w) {
@@ -101,7 +62,7 @@ struct Shader : Invocation {
     return f(active, v) * w;
 #line 10 "tests/emit/shaders/overloads.glsl"
   }
-#line 105 "twin.cpp"
+#line 66 "twin.cpp"
 
 #line 11 "tests/emit/shaders/overloads.glsl"
   Float f(Bool active, mat2 m) {
@@ -109,7 +70,7 @@ struct Shader : Invocation {
     return m[0].x;
 #line 11 "tests/emit/shaders/overloads.glsl"
   }
-#line 113 "twin.cpp"
+#line 74 "twin.cpp"
 
 #line 12 "tests/emit/shaders/overloads.glsl"
   Float f(Bool active, array<Float, 2> v) {
@@ -117,7 +78,7 @@ struct Shader : Invocation {
     return v[0] - v[1];
 #line 12 "tests/emit/shaders/overloads.glsl"
   }
-#line 121 "twin.cpp"
+#line 82 "twin.cpp"
 
 #line 13 "tests/emit/shaders/overloads.glsl"
   Bool f(Bool active, Bool b) {
@@ -125,13 +86,13 @@ struct Shader : Invocation {
     return !b;
 #line 13 "tests/emit/shaders/overloads.glsl"
   }
-#line 129 "twin.cpp"
+#line 90 "twin.cpp"
 
 #line 14 "tests/emit/shaders/overloads.glsl"
   void nothing(Bool active) {
 #line 14 "tests/emit/shaders/overloads.glsl"
   }
-#line 135 "twin.cpp"
+#line 96 "twin.cpp"
 
 #line 15 "tests/emit/shaders/overloads.glsl"
   uniform::vec4 zero(Bool active) {
@@ -141,16 +102,14 @@ struct Shader : Invocation {
     return uniform::vec4(0.0f);
 #line 15 "tests/emit/shaders/overloads.glsl"
   }
-#line 145 "twin.cpp"
+#line 106 "twin.cpp"
 
 #line 16 "tests/emit/shaders/overloads.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
-#line 16 "tests/emit/shaders/overloads.glsl"
-    set__(active, color, vec4(0.0f));
     set__(active, color, vec4(zero(active)) + vec4(f(active, p.x) + f(active, make<Int>(p.x)), f(active, p, 2.0f), f(active, make<Uint>(p.y)) + f(active, make<mat2>(p.x)), g(active, p.y, 3) + f(active, array<Float, 2>{{p.x, p.y}}) + select__(f(active, p.x > 3.0f), Float(1.0f), Float(0.0f))));
 #line 17 "tests/emit/shaders/overloads.glsl"
   }
-#line 154 "twin.cpp"
+#line 113 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -28,14 +28,14 @@ uniform sampler2D iKeyboard ;
 float f ( float x ) { return x * 0.5 ; }
 float f ( int x ) { return float ( x ) + 10.0 ; }
 float map ( float x ) { return 1.0 - 0.05 * x ; }
-void two ( out float a , out float b ) { a = 0.0; b = 0.0; a = float ( 0 ) ; b = float ( 0 ) ; a = 3.0 ; b = 4.0 ; }
-void set ( out vec2 a ) { a = vec2(0); a = vec2 ( 0 ) ; a = vec2 ( 7.0 , 8.0 ) ; }
+void two ( out float a , out float b ) { a = 0.0; b = 0.0; a = 3.0 ; b = 4.0 ; }
+void set ( out vec2 a ) { a = vec2(0); a = vec2 ( 7.0 , 8.0 ) ; }
 vec2 shared_ [ 2 ] = vec2[2](vec2(0), vec2(0)) ;
 float touch ( int i ) { shared_ [shadertwin_at( i , 1)] . y = 5.0 ; return 1.0 ; }
 float gone ( float x ) { if ( x > 14.0 ) discard ; return 1.0 ; }
 int total = 0 ;
 int grow ( ) { total += 3 ; return total ; }
-void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
 int k = int ( p . x ) & 1 ;
 float n = 0.0 , d = 0.0 ;
 for ( int i = 0 ; i ++ < 10 && ( d = map ( p . x + float ( i ) ) ) > 0.5 ; ) n += 1.0 ;

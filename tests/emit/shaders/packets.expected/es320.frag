@@ -28,14 +28,14 @@ uniform sampler2D iKeyboard ;
 float f ( precise float x ) { precise bool shadertwin_test; precise float shadertwin_result; return (shadertwin_result = (x * 0.5)) ; }
 float f ( precise int x ) { precise bool shadertwin_test; precise float shadertwin_result; return (shadertwin_result = (float ( x ) + 10.0)) ; }
 float map ( precise float x ) { precise bool shadertwin_test; precise float shadertwin_result; return (shadertwin_result = (1.0 - 0.05 * x)) ; }
-void two ( precise out float a , precise out float b ) { precise bool shadertwin_test; a = 0.0 ; b = 0.0 ; a = float ( 0 ) ; b = float ( 0 ) ; a = 3.0 ; b = 4.0 ; }
-void set ( precise out vec2 a ) { precise bool shadertwin_test; a = vec2 ( 0 ) ; a = vec2 ( 0 ) ; a = vec2 ( 7.0 , 8.0 ) ; }
+void two ( precise out float a , precise out float b ) { precise bool shadertwin_test; a = 0.0 ; b = 0.0 ; a = 3.0 ; b = 4.0 ; }
+void set ( precise out vec2 a ) { precise bool shadertwin_test; a = vec2 ( 0 ) ; a = vec2 ( 7.0 , 8.0 ) ; }
 precise vec2 shared_ [ 2 ] = vec2 [ 2 ] ( vec2 ( 0 ) , vec2 ( 0 ) ) ;
 float touch ( precise int i ) { precise bool shadertwin_test; precise float shadertwin_result; shared_ [ shadertwin_at ( i , 1 ) ] . y = 5.0 ; return (shadertwin_result = (1.0)) ; }
 float gone ( precise float x ) { precise bool shadertwin_test; precise float shadertwin_result; if ( (shadertwin_test = (x > 14.0)) ) discard ; return (shadertwin_result = (1.0)) ; }
 precise int total = 0 ;
 int grow ( ) { precise bool shadertwin_test; precise int shadertwin_result; total += 3 ; return (shadertwin_result = (total)) ; }
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise int k = int ( p . x ) & 1 ;
 precise float n = 0.0 , d = 0.0 ;
 for ( precise int i = 0 ; (shadertwin_test = (i ++ < 10 && ( d = map ( p . x + float ( i ) ) ) > 0.5)) ; ) n += 1.0 ;

@@ -1,56 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef a
-#undef b
-#undef c
-#undef color
-#undef d
-#undef e
-#undef f
-#undef gone
-#undef grid
-#undef grow
-#undef h
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef j
-#undef k
-#undef m
-#undef main
-#undef mainImage
-#undef map
-#undef n
-#undef p
-#undef r
-#undef s
-#undef set
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef shared_
-#undef sum
-#undef total
-#undef touch
-#undef two
-#undef x
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -78,7 +26,7 @@ struct Shader : Invocation {
     return x * 0.5f;
 #line 3 "tests/emit/shaders/packets.glsl"
   }
-#line 82 "twin.cpp"
+#line 30 "twin.cpp"
 
 #line 4 "tests/emit/shaders/packets.glsl"
   float f(Bool active, int x) {
@@ -86,7 +34,7 @@ struct Shader : Invocation {
     return float(x) + 10.0f;
 #line 4 "tests/emit/shaders/packets.glsl"
   }
-#line 90 "twin.cpp"
+#line 38 "twin.cpp"
 
 #line 5 "tests/emit/shaders/packets.glsl"
   Float map(Bool active, Float x) {
@@ -94,33 +42,27 @@ struct Shader : Invocation {
     return 1.0f - 0.05f * x;
 #line 5 "tests/emit/shaders/packets.glsl"
   }
-#line 98 "twin.cpp"
+#line 46 "twin.cpp"
 
 #line 6 "tests/emit/shaders/packets.glsl"
   void two(Bool active, Float& a, Float& b) {
 #line 6 "tests/emit/shaders/packets.glsl"
     unwritten(active, b);
 #line 6 "tests/emit/shaders/packets.glsl"
-    set__(active, a, 0.0f);
-#line 6 "tests/emit/shaders/packets.glsl"
-    set__(active, b, 0.0f);
-#line 6 "tests/emit/shaders/packets.glsl"
     set__(active, a, 3.0f);
 #line 6 "tests/emit/shaders/packets.glsl"
     set__(active, b, 4.0f);
 #line 6 "tests/emit/shaders/packets.glsl"
   }
-#line 114 "twin.cpp"
+#line 58 "twin.cpp"
 
 #line 7 "tests/emit/shaders/packets.glsl"
   void set(Bool active, vec2& a) {
 #line 7 "tests/emit/shaders/packets.glsl"
-    set__(active, a, vec2(0.0f));
-#line 7 "tests/emit/shaders/packets.glsl"
     set__(active, a, vec2(7.0f, 8.0f));
 #line 7 "tests/emit/shaders/packets.glsl"
   }
-#line 124 "twin.cpp"
+#line 66 "twin.cpp"
 
 #line 9 "tests/emit/shaders/packets.glsl"
   float touch(Bool active, Int i) {
@@ -136,7 +78,7 @@ struct Shader : Invocation {
     return 1.0f;
 #line 9 "tests/emit/shaders/packets.glsl"
   }
-#line 140 "twin.cpp"
+#line 82 "twin.cpp"
 
 #line 10 "tests/emit/shaders/packets.glsl"
   float gone(Bool active, Float x) {
@@ -154,7 +96,7 @@ struct Shader : Invocation {
     return 1.0f;
 #line 10 "tests/emit/shaders/packets.glsl"
   }
-#line 158 "twin.cpp"
+#line 100 "twin.cpp"
 
 #line 12 "tests/emit/shaders/packets.glsl"
   Int grow(Bool active) {
@@ -164,12 +106,12 @@ struct Shader : Invocation {
     return total;
 #line 12 "tests/emit/shaders/packets.glsl"
   }
-#line 168 "twin.cpp"
+#line 110 "twin.cpp"
 
 #line 13 "tests/emit/shaders/packets.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 13 "tests/emit/shaders/packets.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     Int k = make<Int>(p.x) & 1;
     Float n = 0.0f;
     Float d;
@@ -355,7 +297,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(n + float(m) * 16.0f + ((b) ? 100.0f : 0.0f) + f(active, p.x) + f(active, Float(0.5f)) + f(active, 1) * 1000.0f, at(e, k).x + 10.0f * at(e, k).y + a[0].x + a[0].y * 3.0f + a[1].x * 100.0f + float(j) * 1000.0f, shared_[0].x + shared_[0].y * 2.0f + shared_[1].x * 4.0f + shared_[1].y * 8.0f + make<Float>(total) * 100.0f, grid[0] + grid[1] * 3.0f + float(h) * 100.0f + at(c, k).x * 7.0f + float(s) * 1000.0f + r * 0.5f + sum));
 #line 44 "tests/emit/shaders/packets.glsl"
   }
-#line 359 "twin.cpp"
+#line 301 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -48,7 +48,7 @@ const float TAU = 2.0 * 3.14159265359 , THIRD = TAU / 3.0 ;
 
 
 float time_scale = 2.0 ;
-void mainImage ( out vec4 O , vec2 U ) { O = vec4(0); O = vec4 ( 0 ) ;
+void mainImage ( out vec4 O , vec2 U ) { O = vec4(0);
 float acc = 0.0 ;
 for ( int i = 0 ; i < 4 ; i ++ ) { acc += ( ( float ( i ) ) * ( float ( i ) ) ) * 2.0 ; }
 vec2 R = iResolution . xy , uv = ( U + U - R ) / R . y * mat2 ( 1.0 - ( 0.25 ) , - ( 0.25 ) , ( 0.25 ) , 1.0 - ( 0.25 ) ) ;

@@ -48,7 +48,7 @@ const float TAU = 2.0 * 3.14159265359 , THIRD = TAU / 3.0 ;
 
 
 precise float time_scale = 2.0 ;
-void mainImage ( precise out vec4 O , precise vec2 U ) { precise bool shadertwin_test; O = vec4 ( 0 ) ; O = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 O , precise vec2 U ) { precise bool shadertwin_test; O = vec4 ( 0 ) ;
 precise float acc = 0.0 ;
 for ( precise int i = 0 ; (shadertwin_test = (i < 4)) ; i ++ ) { acc += ( ( float ( i ) ) * ( float ( i ) ) ) * 2.0 ; }
 precise vec2 R = iResolution . xy , uv = ( U + U - R ) / R . y * mat2 ( 1.0 - ( 0.25 ) , - ( 0.25 ) , ( 0.25 ) , 1.0 - ( 0.25 ) ) ;

@@ -1,37 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef O
-#undef R
-#undef THIRD
-#undef U
-#undef acc
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef main
-#undef mainImage
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef time_scale
-#undef uv
 
 namespace shadertwin::glsl {
 namespace {
@@ -60,7 +27,7 @@ struct Shader : Invocation {
 #line 26 "tests/emit/shaders/preprocessor.glsl"
   void mainImage(vec4& O, vec2 U) {
 #line 26 "tests/emit/shaders/preprocessor.glsl"
-    O = vec4(0.0f);
+    unwritten(O);
     Float acc = 0.0f;
     for (int i = 0; i < 4; i++) {
 #line 28 "tests/emit/shaders/preprocessor.glsl"
@@ -73,7 +40,7 @@ struct Shader : Invocation {
     O = vec4(acc + 0.5f, uv, THIRD * time_scale + (iTime + 0.25f));
 #line 30 "tests/emit/shaders/preprocessor.glsl"
   }
-#line 77 "twin.cpp"
+#line 44 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

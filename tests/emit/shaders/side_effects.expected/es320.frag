@@ -30,7 +30,7 @@ float take ( precise inout float list [ 4 ] , precise int i ) { precise bool sha
 float both ( precise inout float a , precise inout float b ) { precise bool shadertwin_test; precise float shadertwin_result; precise float t = a ; a = b ; b = t ; return (shadertwin_result = (a - b)) ; }
 vec3 sample_ ( precise inout uint s ) { precise bool shadertwin_test; precise vec3 shadertwin_result; s = s * 1664525u + 1013904223u ; return (shadertwin_result = (vec3 ( s >> 8 , s >> 16 , s >> 24 ) / 256.0)) ; }
 bool more ( precise inout int n ) { precise bool shadertwin_test; precise bool shadertwin_result; return (shadertwin_result = (-- n > 0)) ; }
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise float list [ 4 ] = float [ 4 ] ( p . x , 1.0 , 2.0 , 3.0 ) ;
 list [ shadertwin_at ( ( next ( ) ) , 3 ) ] += 5.0 ;
 list [ shadertwin_at ( ( next ( ) ) , 3 ) ] = list [ shadertwin_at ( ( next ( ) ) , 3 ) ] * 2.0 ;

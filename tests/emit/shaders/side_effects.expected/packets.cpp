@@ -1,49 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef a
-#undef b
-#undef both
-#undef color
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef k
-#undef list
-#undef m
-#undef main
-#undef mainImage
-#undef more
-#undef n
-#undef next
-#undef p
-#undef s
-#undef sample_
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef sum
-#undef t
-#undef take
-#undef u
-#undef v
-#undef w
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -73,7 +28,7 @@ struct Shader : Invocation {
     return tmp;
 #line 3 "tests/emit/shaders/side_effects.glsl"
   }
-#line 77 "twin.cpp"
+#line 32 "twin.cpp"
 
 #line 4 "tests/emit/shaders/side_effects.glsl"
   Float take(Bool active, array<Float, 4>& list, Int i) {
@@ -89,7 +44,7 @@ struct Shader : Invocation {
     return at(list, i);
 #line 4 "tests/emit/shaders/side_effects.glsl"
   }
-#line 93 "twin.cpp"
+#line 48 "twin.cpp"
 
 #line 5 "tests/emit/shaders/side_effects.glsl"
   Float both(Bool active, Float& a, Float& b) {
@@ -103,7 +58,7 @@ struct Shader : Invocation {
     return a - b;
 #line 5 "tests/emit/shaders/side_effects.glsl"
   }
-#line 107 "twin.cpp"
+#line 62 "twin.cpp"
 
 #line 6 "tests/emit/shaders/side_effects.glsl"
   vec3 sample_(Bool active, Uint& s) {
@@ -113,7 +68,7 @@ struct Shader : Invocation {
     return vec3(make<Float>(s >> 8), make<Float>(s >> 16), make<Float>(s >> 24)) / 256.0f;
 #line 6 "tests/emit/shaders/side_effects.glsl"
   }
-#line 117 "twin.cpp"
+#line 72 "twin.cpp"
 
 #line 7 "tests/emit/shaders/side_effects.glsl"
   Bool more(Bool active, Int& n) {
@@ -123,12 +78,12 @@ struct Shader : Invocation {
     return n > 0;
 #line 7 "tests/emit/shaders/side_effects.glsl"
   }
-#line 127 "twin.cpp"
+#line 82 "twin.cpp"
 
 #line 8 "tests/emit/shaders/side_effects.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 8 "tests/emit/shaders/side_effects.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     array<Float, 4> list = array<Float, 4>{{p.x, Float(1.0f), Float(2.0f), Float(3.0f)}};
     const Int tmp = next(active);
 #line 10 "tests/emit/shaders/side_effects.glsl"
@@ -258,7 +213,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(t + list[0] * 0.5f, u + v.x, v.y + w.x + m[0].y, sum + w.y * 0.125f + make<Float>(k) + m[1].x));
 #line 23 "tests/emit/shaders/side_effects.glsl"
   }
-#line 262 "twin.cpp"
+#line 217 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,49 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef a
-#undef b
-#undef both
-#undef color
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef k
-#undef list
-#undef m
-#undef main
-#undef mainImage
-#undef more
-#undef n
-#undef next
-#undef p
-#undef s
-#undef sample_
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef sum
-#undef t
-#undef take
-#undef u
-#undef v
-#undef w
 
 namespace shadertwin::glsl {
 namespace {
@@ -69,7 +24,7 @@ struct Shader : Invocation {
     return k++;
 #line 3 "tests/emit/shaders/side_effects.glsl"
   }
-#line 73 "twin.cpp"
+#line 28 "twin.cpp"
 
 #line 4 "tests/emit/shaders/side_effects.glsl"
   Float take(array<Float, 4>& list, int i) {
@@ -79,7 +34,7 @@ struct Shader : Invocation {
     return list[i];
 #line 4 "tests/emit/shaders/side_effects.glsl"
   }
-#line 83 "twin.cpp"
+#line 38 "twin.cpp"
 
 #line 5 "tests/emit/shaders/side_effects.glsl"
   Float both(Float& a, Float& b) {
@@ -93,7 +48,7 @@ struct Shader : Invocation {
     return a - b;
 #line 5 "tests/emit/shaders/side_effects.glsl"
   }
-#line 97 "twin.cpp"
+#line 52 "twin.cpp"
 
 #line 6 "tests/emit/shaders/side_effects.glsl"
   vec3 sample_(uint& s) {
@@ -103,7 +58,7 @@ struct Shader : Invocation {
     return vec3(Float(s >> 8), Float(s >> 16), Float(s >> 24)) / 256.0f;
 #line 6 "tests/emit/shaders/side_effects.glsl"
   }
-#line 107 "twin.cpp"
+#line 62 "twin.cpp"
 
 #line 7 "tests/emit/shaders/side_effects.glsl"
   bool more(int& n) {
@@ -111,12 +66,12 @@ struct Shader : Invocation {
     return --n > 0;
 #line 7 "tests/emit/shaders/side_effects.glsl"
   }
-#line 115 "twin.cpp"
+#line 70 "twin.cpp"
 
 #line 8 "tests/emit/shaders/side_effects.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 8 "tests/emit/shaders/side_effects.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
     array<Float, 4> list = array<Float, 4>{{p.x, 1.0f, 2.0f, 3.0f}};
     const int tmp = next();
 #line 10 "tests/emit/shaders/side_effects.glsl"
@@ -182,7 +137,7 @@ struct Shader : Invocation {
     color = vec4(t + list[0] * 0.5f, u + v.x, v.y + w.x + m[0].y, sum + w.y * 0.125f + Float(k) + m[1].x);
 #line 23 "tests/emit/shaders/side_effects.glsl"
   }
-#line 186 "twin.cpp"
+#line 141 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

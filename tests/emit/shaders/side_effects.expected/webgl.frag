@@ -30,7 +30,7 @@ float take(inout float list[4], int i) { list[i] += 1.0; return list[i]; }
 float both(inout float a, inout float b) { float t = a; a = b; b = t; return a - b; }
 vec3 sample_(inout uint s) { s = s * 1664525u + 1013904223u; return vec3(s >> 8, s >> 16, s >> 24) / 256.0; }
 bool more(inout int n) { return --n > 0; }
-void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
+void mainImage(out vec4 color, in vec2 p) {
 float list[4] = float[4](p.x, 1.0, 2.0, 3.0);
 list[next()] += 5.0;
 list[next()] = list[next()] * 2.0;

@@ -24,7 +24,7 @@ uniform sampler2D iChannel8 ;
 uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise vec2 uv = p / iResolution . yx ;
 precise float x = sqrt ( p . x / 7.0 ) - p . y / iResolution . x , y = p . y / iResolution . y ;
 color = vec4 ( mix ( x , y , 0.3 ) , mix ( x , 1.0 , y ) , mix ( vec2 ( x , y ) , uv , 0.7 ) . y , mix ( uv , vec2 ( y , x ) , x ) . x ) ;

@@ -1,34 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef color
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef main
-#undef mainImage
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef uv
-#undef x
-#undef y
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -51,7 +21,7 @@ struct Shader : Invocation {
 #line 2 "tests/emit/shaders/special_calls.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 2 "tests/emit/shaders/special_calls.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     vec2 uv = p / vec2(iResolution.yx());
     Float x = sqrt(p.x / 7.0f) - p.y / iResolution.x;
 #line 4 "tests/emit/shaders/special_calls.glsl"
@@ -71,7 +41,7 @@ struct Shader : Invocation {
     }
 #line 7 "tests/emit/shaders/special_calls.glsl"
   }
-#line 75 "twin.cpp"
+#line 45 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

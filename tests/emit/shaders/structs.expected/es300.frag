@@ -31,7 +31,7 @@ void change ( inout Outer o , Inner from ) { o . inner = from ; o . inner . b [ 
 Inner swapped ( Inner i ) { i . a = i . a . yx ; float t = i . b [ 0 ] ; i . b [ 0 ] = i . b [ 1 ] ; i . b [ 1 ] = t ; return i ; }
 struct Padded { uint a ; mat4 m ; float b [ 4 ] ; bvec4 c ; } ;
 Padded padded = Padded ( 31u , mat4 ( 10 , - 1.5 , 7.5 , 1 , - 1.5 , 0.5 , 10 , 7.5 , 1 , 1 , 1 , 2 , - 1.5 , 2 , - 1.5 , 1 ) , float [ ] ( 2.0 , 1.0 , 3.0 , 2.0 ) , bvec4 ( true ) ) ;
-void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
 Outer o = make_outer ( p . x / iResolution . x ) ;
 Outer copy = o ;
 change ( copy , swapped ( o . inner ) ) ;

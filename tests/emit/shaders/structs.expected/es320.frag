@@ -31,7 +31,7 @@ void change ( precise inout Outer o , precise Inner from ) { precise bool shader
 Inner swapped ( precise Inner i ) { precise bool shadertwin_test; precise Inner shadertwin_result; i . a = i . a . yx ; precise float t = i . b [ 0 ] ; i . b [ 0 ] = i . b [ 1 ] ; i . b [ 1 ] = t ; return (shadertwin_result = (i)) ; }
 struct Padded { uint a ; mat4 m ; float b [ 4 ] ; bvec4 c ; } ;
 precise Padded padded = Padded ( 31u , mat4 ( 10 , - 1.5 , 7.5 , 1 , - 1.5 , 0.5 , 10 , 7.5 , 1 , 1 , 1 , 2 , - 1.5 , 2 , - 1.5 , 1 ) , float [ ] ( 2.0 , 1.0 , 3.0 , 2.0 ) , bvec4 ( true ) ) ;
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise Outer o = make_outer ( p . x / iResolution . x ) ;
 precise Outer copy = o ;
 change ( copy , swapped ( o . inner ) ) ;

@@ -1,55 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef Inner
-#undef Outer
-#undef Padded
-#undef a
-#undef b
-#undef c
-#undef change
-#undef color
-#undef copy
-#undef different
-#undef empty
-#undef flag
-#undef from
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef inner
-#undef list
-#undef m
-#undef main
-#undef mainImage
-#undef make_outer
-#undef n
-#undef o
-#undef p
-#undef padded
-#undef same
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef swapped
-#undef t
-#undef x
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -102,7 +51,7 @@ struct Shader : Invocation {
     return Outer{Inner{vec2(x, 2.0f * x), array<Float, 2>{{x * 5.0f, x * 3.0f}}}, make<mat2>(x, 0.0f, 0.0f, x), make<Int>(x * 10.0f), x > 0.5f};
 #line 4 "tests/emit/shaders/structs.glsl"
   }
-#line 106 "twin.cpp"
+#line 55 "twin.cpp"
 
 #line 5 "tests/emit/shaders/structs.glsl"
   void change(Bool active, Outer& o, Inner from) {
@@ -114,7 +63,7 @@ struct Shader : Invocation {
     set__(active, o.n, o.n + 1);
 #line 5 "tests/emit/shaders/structs.glsl"
   }
-#line 118 "twin.cpp"
+#line 67 "twin.cpp"
 
 #line 6 "tests/emit/shaders/structs.glsl"
   Inner swapped(Bool active, Inner i) {
@@ -130,12 +79,12 @@ struct Shader : Invocation {
     return i;
 #line 6 "tests/emit/shaders/structs.glsl"
   }
-#line 134 "twin.cpp"
+#line 83 "twin.cpp"
 
 #line 9 "tests/emit/shaders/structs.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 9 "tests/emit/shaders/structs.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     Outer o = make_outer(active, p.x / iResolution.x);
     Outer copy = o;
     change(active, copy, swapped(active, o.inner));
@@ -161,7 +110,7 @@ struct Shader : Invocation {
     }
 #line 20 "tests/emit/shaders/structs.glsl"
   }
-#line 165 "twin.cpp"
+#line 114 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

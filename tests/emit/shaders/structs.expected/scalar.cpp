@@ -1,55 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef Inner
-#undef Outer
-#undef Padded
-#undef a
-#undef b
-#undef c
-#undef change
-#undef color
-#undef copy
-#undef different
-#undef empty
-#undef flag
-#undef from
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef inner
-#undef list
-#undef m
-#undef main
-#undef mainImage
-#undef make_outer
-#undef n
-#undef o
-#undef p
-#undef padded
-#undef same
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef swapped
-#undef t
-#undef x
 
 namespace shadertwin::glsl {
 namespace {
@@ -99,7 +48,7 @@ struct Shader : Invocation {
     return Outer{Inner{vec2(x, 2.0f * x), array<Float, 2>{{x * 5.0f, x * 3.0f}}}, mat2(x, 0.0f, 0.0f, x), make<int>(x * 10.0f), x > 0.5f};
 #line 4 "tests/emit/shaders/structs.glsl"
   }
-#line 103 "twin.cpp"
+#line 52 "twin.cpp"
 
 #line 5 "tests/emit/shaders/structs.glsl"
   void change(Outer& o, Inner from) {
@@ -111,7 +60,7 @@ struct Shader : Invocation {
     o.n++;
 #line 5 "tests/emit/shaders/structs.glsl"
   }
-#line 115 "twin.cpp"
+#line 64 "twin.cpp"
 
 #line 6 "tests/emit/shaders/structs.glsl"
   Inner swapped(Inner i) {
@@ -127,12 +76,12 @@ struct Shader : Invocation {
     return i;
 #line 6 "tests/emit/shaders/structs.glsl"
   }
-#line 131 "twin.cpp"
+#line 80 "twin.cpp"
 
 #line 9 "tests/emit/shaders/structs.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 9 "tests/emit/shaders/structs.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
     Outer o = make_outer(p.x / iResolution.x);
     Outer copy = o;
     change(copy, swapped(o.inner));
@@ -158,7 +107,7 @@ struct Shader : Invocation {
     }
 #line 20 "tests/emit/shaders/structs.glsl"
   }
-#line 162 "twin.cpp"
+#line 111 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -40,7 +40,7 @@ return r ;
 float early ( float x ) { if ( x < 2.0 ) return x ; else if ( x < 4.0 ) { x *= 2.0 ; } else return - x ; for ( int i = 0 ; i < 3 ; i ++ ) if ( x > 5.0 ) return 9.0 ; return x ; }
 void nothing ( int k ) { switch ( k ) { case 1 : { return ; } case 2 : { } default : break ; { ; } } }
 int pick ( uint u ) { nothing ( int ( u ) ) ; switch ( u ) { case 3u : return 30 ; default : return 40 ; } return 0; }
-void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
 color = vec4 ( choose ( int ( p . x ) ) , early ( p . x ) , float ( pick ( uint ( p . y ) ) ) , early ( p . y ) ) ;
 }
 void shadertwin_main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , shadertwin_frag_coord . xy ) ; shadertoy_out_color = shadertoy_color ; }

@@ -40,7 +40,7 @@ return (shadertwin_result = (r)) ;
 float early ( precise float x ) { precise bool shadertwin_test; precise float shadertwin_result; if ( (shadertwin_test = (x < 2.0)) ) return (shadertwin_result = (x)) ; else if ( (shadertwin_test = (x < 4.0)) ) { x *= 2.0 ; } else return (shadertwin_result = (- x)) ; for ( precise int i = 0 ; (shadertwin_test = (i < 3)) ; i ++ ) if ( (shadertwin_test = (x > 5.0)) ) return (shadertwin_result = (9.0)) ; return (shadertwin_result = (x)) ; }
 void nothing ( precise int k ) { precise bool shadertwin_test; switch ( k ) { case 1 : { return ; } case 2 : { } default : break ; { ; } } }
 int pick ( precise uint u ) { precise bool shadertwin_test; precise int shadertwin_result; nothing ( int ( u ) ) ; switch ( u ) { case 3u : return (shadertwin_result = (30)) ; default : return (shadertwin_result = (40)) ; } return (shadertwin_result = (0)) ; }
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 color = vec4 ( choose ( int ( p . x ) ) , early ( p . x ) , float ( pick ( uint ( p . y ) ) ) , early ( p . y ) ) ;
 }
 void main ( ) { precise bool shadertwin_test; precise vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

@@ -1,42 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef choose
-#undef color
-#undef early
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef k
-#undef main
-#undef mainImage
-#undef nothing
-#undef p
-#undef pick
-#undef r
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef t
-#undef u
-#undef x
-#undef z
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -177,7 +139,7 @@ struct Shader : Invocation {
     return result;
 #line 13 "tests/emit/shaders/switches.glsl"
   }
-#line 181 "twin.cpp"
+#line 143 "twin.cpp"
 
 #line 15 "tests/emit/shaders/switches.glsl"
   Float early(Bool active, Float x) {
@@ -249,7 +211,7 @@ struct Shader : Invocation {
     return result;
 #line 15 "tests/emit/shaders/switches.glsl"
   }
-#line 253 "twin.cpp"
+#line 215 "twin.cpp"
 
 #line 16 "tests/emit/shaders/switches.glsl"
   void nothing(Bool active, Int k) {
@@ -285,7 +247,7 @@ struct Shader : Invocation {
     if (none__(active)) return;
 #line 16 "tests/emit/shaders/switches.glsl"
   }
-#line 289 "twin.cpp"
+#line 251 "twin.cpp"
 
 #line 17 "tests/emit/shaders/switches.glsl"
   Int pick(Bool active, Uint u) {
@@ -327,16 +289,14 @@ struct Shader : Invocation {
     return result;
 #line 17 "tests/emit/shaders/switches.glsl"
   }
-#line 331 "twin.cpp"
+#line 293 "twin.cpp"
 
 #line 18 "tests/emit/shaders/switches.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
-#line 18 "tests/emit/shaders/switches.glsl"
-    set__(active, color, vec4(0.0f));
     set__(active, color, vec4(choose(active, make<Int>(p.x)), early(active, p.x), make<Float>(pick(active, make<Uint>(p.y))), early(active, p.y)));
 #line 19 "tests/emit/shaders/switches.glsl"
   }
-#line 340 "twin.cpp"
+#line 300 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

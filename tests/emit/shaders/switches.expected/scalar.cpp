@@ -1,42 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef choose
-#undef color
-#undef early
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef k
-#undef main
-#undef mainImage
-#undef nothing
-#undef p
-#undef pick
-#undef r
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef t
-#undef u
-#undef x
-#undef z
 
 namespace shadertwin::glsl {
 namespace {
@@ -171,7 +133,7 @@ struct Shader : Invocation {
     return r;
 #line 13 "tests/emit/shaders/switches.glsl"
   }
-#line 175 "twin.cpp"
+#line 137 "twin.cpp"
 
 #line 15 "tests/emit/shaders/switches.glsl"
   Float early(Float x) {
@@ -207,7 +169,7 @@ struct Shader : Invocation {
     return x;
 #line 15 "tests/emit/shaders/switches.glsl"
   }
-#line 211 "twin.cpp"
+#line 173 "twin.cpp"
 
 #line 16 "tests/emit/shaders/switches.glsl"
   void nothing(int k) {
@@ -241,7 +203,7 @@ struct Shader : Invocation {
     }
 #line 16 "tests/emit/shaders/switches.glsl"
   }
-#line 245 "twin.cpp"
+#line 207 "twin.cpp"
 
 #line 17 "tests/emit/shaders/switches.glsl"
   int pick(uint u) {
@@ -273,16 +235,14 @@ struct Shader : Invocation {
     return {};
 #line 17 "tests/emit/shaders/switches.glsl"
   }
-#line 277 "twin.cpp"
+#line 239 "twin.cpp"
 
 #line 18 "tests/emit/shaders/switches.glsl"
   void mainImage(vec4& color, vec2 p) {
-#line 18 "tests/emit/shaders/switches.glsl"
-    color = vec4(0.0f);
     color = vec4(choose(make<int>(p.x)), early(p.x), Float(pick(make<uint>(p.y))), early(p.y));
 #line 19 "tests/emit/shaders/switches.glsl"
   }
-#line 286 "twin.cpp"
+#line 246 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

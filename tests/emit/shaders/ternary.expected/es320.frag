@@ -27,7 +27,7 @@ uniform sampler2D iKeyboard ;
 precise int calls = 0 ;
 bool tick ( precise bool b ) { precise bool shadertwin_test; precise bool shadertwin_result; calls ++ ; return (shadertwin_result = (b)) ; }
 float bump ( precise inout float x ) { precise bool shadertwin_test; precise float shadertwin_result; x += 1.0 ; return (shadertwin_result = (x)) ; }
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise float x = p . x , y = p . y , z = 0.0 ;
 precise bool a = tick ( x > 3.0 ) && tick ( y > 3.0 ) , b = tick ( x > 5.0 ) || tick ( y > 5.0 ) , c = tick ( a ) ^^ tick ( b ) ;
 precise float r = x > y ? bump ( x ) : bump ( y ) ;

@@ -1,45 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef a
-#undef b
-#undef bump
-#undef c
-#undef calls
-#undef color
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef main
-#undef mainImage
-#undef p
-#undef r
-#undef s
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef tick
-#undef v
-#undef w
-#undef x
-#undef y
-#undef z
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -67,7 +26,7 @@ struct Shader : Invocation {
     return b;
 #line 3 "tests/emit/shaders/ternary.glsl"
   }
-#line 71 "twin.cpp"
+#line 30 "twin.cpp"
 
 #line 4 "tests/emit/shaders/ternary.glsl"
   Float bump(Bool active, Float& x) {
@@ -77,12 +36,12 @@ struct Shader : Invocation {
     return x;
 #line 4 "tests/emit/shaders/ternary.glsl"
   }
-#line 81 "twin.cpp"
+#line 40 "twin.cpp"
 
 #line 5 "tests/emit/shaders/ternary.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 5 "tests/emit/shaders/ternary.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     Float x = p.x;
 #line 6 "tests/emit/shaders/ternary.glsl"
     Float y = p.y;
@@ -181,7 +140,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(r + z * 8.0f, w + make<Float>(calls) * 32.0f, s + float(i), v.x + v.y + x - y));
 #line 15 "tests/emit/shaders/ternary.glsl"
   }
-#line 185 "twin.cpp"
+#line 144 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

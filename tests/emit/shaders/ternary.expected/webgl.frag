@@ -27,7 +27,7 @@ uniform sampler2D iKeyboard;
 int calls = 0;
 bool tick(bool b) { calls++; return b; }
 float bump(inout float x) { x += 1.0; return x; }
-void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
+void mainImage(out vec4 color, in vec2 p) {
 float x = p.x, y = p.y, z;
 bool a = tick(x > 3.0) && tick(y > 3.0), b = tick(x > 5.0) || tick(y > 5.0), c = tick(a) ^^ tick(b);
 float r = x > y ? bump(x) : bump(y);

@@ -1,32 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef color
-#undef h
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef main
-#undef mainImage
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -49,13 +21,13 @@ struct Shader : Invocation {
 #line 2 "tests/emit/shaders/inputs/pattern.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 2 "tests/emit/shaders/inputs/pattern.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     Uint h = make<Uint>(p.x) * 374761393u + make<Uint>(p.y) * 668265263u + uint(iFrame) * 2246822519u;
     h = (h ^ h >> 13) * 1274126177u;
     set__(active, color, vec4(make<Float>(h & 255u), make<Float>(h >> 8 & 255u), make<Float>(h >> 16 & 255u), make<Float>(h >> 24)) / 255.0f * 4.0f - 1.0f);
 #line 5 "tests/emit/shaders/inputs/pattern.glsl"
   }
-#line 59 "twin.cpp"
+#line 31 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,32 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef color
-#undef h
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef main
-#undef mainImage
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
 
 namespace shadertwin::glsl {
 namespace {
@@ -49,13 +21,13 @@ struct Shader : Invocation {
 #line 2 "tests/emit/shaders/inputs/pattern.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 2 "tests/emit/shaders/inputs/pattern.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
     uint h = make<uint>(p.x) * 374761393u + make<uint>(p.y) * 668265263u + uint(iFrame) * 2246822519u;
     h = (h ^ h >> 13) * 1274126177u;
     color = vec4(Float(h & 255u), Float(h >> 8 & 255u), Float(h >> 16 & 255u), Float(h >> 24)) / 255.0f * 4.0f - 1.0f;
 #line 5 "tests/emit/shaders/inputs/pattern.glsl"
   }
-#line 59 "twin.cpp"
+#line 31 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -30,7 +30,7 @@ uniform sampler2D iKeyboard ;
 
 vec4 look ( sampler2D s , vec2 uv ) { return texture ( s , uv ) + texelFetch ( s , ivec2 ( uv * 3.0 ) , 0 ) ; }
 float size ( in sampler2D s , int i ) { return float ( textureSize ( s , 0 ) [shadertwin_at( i , 1)] ) ; }
-void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0); color = vec4 ( 0 ) ;
+void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
 vec2 uv = p / iResolution . xy ;
 int k = int ( p . y ) % 8 ;
 color = vec4 ( size ( iChannel0 , 0 ) , size ( iChannel0 , 1 ) , iChannelResolution [ 0 ] . xy ) ;

@@ -30,7 +30,7 @@ uniform sampler2D iKeyboard ;
 
 vec4 look ( sampler2D s , precise vec2 uv ) { precise bool shadertwin_test; precise vec4 shadertwin_result; return (shadertwin_result = (texture ( s , uv ) + texelFetch ( s , ivec2 ( uv * 3.0 ) , 0 ))) ; }
 float size ( in sampler2D s , precise int i ) { precise bool shadertwin_test; precise float shadertwin_result; return (shadertwin_result = (float ( textureSize ( s , 0 ) [ shadertwin_at ( i , 1 ) ] ))) ; }
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
 precise vec2 uv = p / iResolution . xy ;
 precise int k = int ( p . y ) % 8 ;
 color = vec4 ( size ( iChannel0 , 0 ) , size ( iChannel0 , 1 ) , iChannelResolution [ 0 ] . xy ) ;

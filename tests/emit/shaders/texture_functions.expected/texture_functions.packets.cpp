@@ -1,37 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef color
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef k
-#undef look
-#undef main
-#undef mainImage
-#undef p
-#undef s
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef size
-#undef uv
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -61,7 +28,7 @@ struct Shader : Invocation {
     return texture(active, s, uv) + texelFetch(active, s, make<ivec2>(uv * 3.0f), 0);
 #line 6 "tests/emit/shaders/texture_functions.glsl"
   }
-#line 65 "twin.cpp"
+#line 32 "twin.cpp"
 
 #line 7 "tests/emit/shaders/texture_functions.glsl"
   float size(Bool active, sampler2D s, int i) {
@@ -69,12 +36,12 @@ struct Shader : Invocation {
     return float(at(glsl::textureSize(s, 0), i));
 #line 7 "tests/emit/shaders/texture_functions.glsl"
   }
-#line 73 "twin.cpp"
+#line 40 "twin.cpp"
 
 #line 8 "tests/emit/shaders/texture_functions.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 8 "tests/emit/shaders/texture_functions.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     vec2 uv = p / vec2(iResolution.xy());
     Int k = make<Int>(p.y) % 8;
     set__(active, color, vec4(uniform::vec4(size(active, iChannel0, 0), size(active, iChannel0, 1), iChannelResolution[0].xy())));
@@ -115,7 +82,7 @@ struct Shader : Invocation {
     }
 #line 18 "tests/emit/shaders/texture_functions.glsl"
   }
-#line 119 "twin.cpp"
+#line 86 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,37 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef color
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef k
-#undef look
-#undef main
-#undef mainImage
-#undef p
-#undef s
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef size
-#undef uv
 
 namespace shadertwin::glsl {
 namespace {
@@ -61,7 +28,7 @@ struct Shader : Invocation {
     return texture(s, uv) + texelFetch(s, make<ivec2>(uv * 3.0f), 0);
 #line 6 "tests/emit/shaders/texture_functions.glsl"
   }
-#line 65 "twin.cpp"
+#line 32 "twin.cpp"
 
 #line 7 "tests/emit/shaders/texture_functions.glsl"
   Float size(sampler2D s, int i) {
@@ -69,12 +36,12 @@ struct Shader : Invocation {
     return Float(at(textureSize(s, 0), i));
 #line 7 "tests/emit/shaders/texture_functions.glsl"
   }
-#line 73 "twin.cpp"
+#line 40 "twin.cpp"
 
 #line 8 "tests/emit/shaders/texture_functions.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 8 "tests/emit/shaders/texture_functions.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
     vec2 uv = p / iResolution.xy();
     int k = make<int>(p.y) % 8;
     color = vec4(size(iChannel0, 0), size(iChannel0, 1), iChannelResolution[0].xy());
@@ -115,7 +82,7 @@ struct Shader : Invocation {
     }
 #line 18 "tests/emit/shaders/texture_functions.glsl"
   }
-#line 119 "twin.cpp"
+#line 86 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -30,7 +30,7 @@ vec2 pairs [ 3 ] = vec2[3](vec2(0), vec2(0), vec2(0)) ;
 Thing things [ 2 ] = Thing[2](Thing(0.0, vec2[2](vec2(0), vec2(0))), Thing(0.0, vec2[2](vec2(0), vec2(0)))) ;
 
 void take ( out Thing thing , out float list [ 3 ] , out mat2 turn )
-{ thing = Thing(0.0, vec2[2](vec2(0), vec2(0))); list = float[3](0.0, 0.0, 0.0); turn = mat2(0); turn = mat2 ( 0 ) ;
+{ thing = Thing(0.0, vec2[2](vec2(0), vec2(0))); list = float[3](0.0, 0.0, 0.0); turn = mat2(0);
 if ( iFrame > 100 )
 thing . weight = 1.0 ;
 }
@@ -89,7 +89,7 @@ return sum ;
 }
 
 void mainImage ( out vec4 c , in vec2 p )
-{ c = vec4(0); c = vec4 ( 0 ) ;
+{ c = vec4(0);
 table [shadertwin_at(( int ( p . x ) ), 999)] += 1.0 ;
 float sum = 0.0 ;
 for ( int i = 0 ; i < 1000 ; i ++ )

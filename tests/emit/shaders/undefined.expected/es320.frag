@@ -30,7 +30,7 @@ precise vec2 pairs [ 3 ] = vec2 [ 3 ] ( vec2 ( 0 ) , vec2 ( 0 ) , vec2 ( 0 ) ) ;
 precise Thing things [ 2 ] = Thing [ 2 ] ( Thing ( 0.0 , vec2 [ 2 ] ( vec2 ( 0 ) , vec2 ( 0 ) ) ) , Thing ( 0.0 , vec2 [ 2 ] ( vec2 ( 0 ) , vec2 ( 0 ) ) ) ) ;
 
 void take ( precise out Thing thing , precise out float list [ 3 ] , precise out mat2 turn )
-{ precise bool shadertwin_test; thing = Thing ( 0.0 , vec2 [ 2 ] ( vec2 ( 0 ) , vec2 ( 0 ) ) ) ; list = float [ 3 ] ( 0.0 , 0.0 , 0.0 ) ; turn = mat2 ( 0 ) ; turn = mat2 ( 0 ) ;
+{ precise bool shadertwin_test; thing = Thing ( 0.0 , vec2 [ 2 ] ( vec2 ( 0 ) , vec2 ( 0 ) ) ) ; list = float [ 3 ] ( 0.0 , 0.0 , 0.0 ) ; turn = mat2 ( 0 ) ;
 if ( (shadertwin_test = (iFrame > 100)) )
 thing . weight = 1.0 ;
 }
@@ -89,7 +89,7 @@ return (shadertwin_result = (sum)) ;
 }
 
 void mainImage ( precise out vec4 c , precise in vec2 p )
-{ precise bool shadertwin_test; c = vec4 ( 0 ) ; c = vec4 ( 0 ) ;
+{ precise bool shadertwin_test; c = vec4 ( 0 ) ;
 table [ shadertwin_at ( ( int ( p . x ) ) , 999 ) ] += 1.0 ;
 precise float sum = 0.0 ;
 for ( precise int i = 0 ; (shadertwin_test = (i < 1000)) ; i ++ )

@@ -1,67 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef Thing
-#undef a
-#undef c
-#undef calls
-#undef color
-#undef constant
-#undef constant_2
-#undef corners
-#undef far
-#undef five
-#undef fresh
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef indexed
-#undef k
-#undef kept
-#undef list
-#undef long_list
-#undef m
-#undef main
-#undef mainImage
-#undef missing
-#undef missing_thing
-#undef n
-#undef next
-#undef nowhere
-#undef outs
-#undef p
-#undef pairs
-#undef partly
-#undef rounds
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef sum
-#undef table
-#undef take
-#undef thing
-#undef things
-#undef turn
-#undef unsigned_far
-#undef weight
-#undef x
-#undef z
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -105,14 +42,16 @@ struct Shader : Invocation {
     unwritten(active, thing);
 #line 7 "tests/emit/shaders/undefined.glsl"
     unwritten(active, list);
-    set__(active, turn, make<mat2>(uniform::mat2(0.0f, 0.0f, 0.0f, 0.0f)));
+#line 7 "tests/emit/shaders/undefined.glsl"
+    unwritten(active, turn);
+#line 9 "tests/emit/shaders/undefined.glsl"
     if (iFrame > 100) {
       set__(active, thing.weight, 1.0f);
 #line 10 "tests/emit/shaders/undefined.glsl"
     }
 #line 10 "tests/emit/shaders/undefined.glsl"
   }
-#line 116 "twin.cpp"
+#line 55 "twin.cpp"
 
 #line 13 "tests/emit/shaders/undefined.glsl"
   vec3 missing(Bool active, Float x) {
@@ -131,7 +70,7 @@ struct Shader : Invocation {
     return result;
 #line 16 "tests/emit/shaders/undefined.glsl"
   }
-#line 135 "twin.cpp"
+#line 74 "twin.cpp"
 
 #line 19 "tests/emit/shaders/undefined.glsl"
   Thing missing_thing(Bool active, Float x) {
@@ -154,7 +93,7 @@ struct Shader : Invocation {
     return result;
 #line 24 "tests/emit/shaders/undefined.glsl"
   }
-#line 158 "twin.cpp"
+#line 97 "twin.cpp"
 
 #line 28 "tests/emit/shaders/undefined.glsl"
   Float long_list(Bool active, int n) {
@@ -175,7 +114,7 @@ struct Shader : Invocation {
     return sum;
 #line 36 "tests/emit/shaders/undefined.glsl"
   }
-#line 179 "twin.cpp"
+#line 118 "twin.cpp"
 
 #line 40 "tests/emit/shaders/undefined.glsl"
   Int next(Bool active) {
@@ -187,7 +126,7 @@ struct Shader : Invocation {
     return tmp;
 #line 40 "tests/emit/shaders/undefined.glsl"
   }
-#line 191 "twin.cpp"
+#line 130 "twin.cpp"
 
 #line 42 "tests/emit/shaders/undefined.glsl"
   vec3 partly(Bool active, Float x) {
@@ -219,7 +158,7 @@ struct Shader : Invocation {
     return color;
 #line 51 "tests/emit/shaders/undefined.glsl"
   }
-#line 223 "twin.cpp"
+#line 162 "twin.cpp"
 
 #line 54 "tests/emit/shaders/undefined.glsl"
   Float rounds(Bool active, Float x) {
@@ -242,11 +181,13 @@ struct Shader : Invocation {
     return sum;
 #line 63 "tests/emit/shaders/undefined.glsl"
   }
-#line 246 "twin.cpp"
+#line 185 "twin.cpp"
 
 #line 66 "tests/emit/shaders/undefined.glsl"
   void mainImage(Bool active, vec4& c, vec2 p) {
-    set__(active, c, vec4(0.0f));
+#line 66 "tests/emit/shaders/undefined.glsl"
+    unwritten(active, c);
+#line 68 "tests/emit/shaders/undefined.glsl"
     const Int tmp = make<Int>(p.x);
 #line 68 "tests/emit/shaders/undefined.glsl"
     Float element = at(table, tmp);
@@ -321,7 +262,7 @@ struct Shader : Invocation {
     set__(active, c, vec4(sum + long_list(active, 3) + long_list(active, 4), outs, indexed, nowhere.y + dot(partly(active, p.x), vec3(1.0f, 10.0f, 100.0f)) + rounds(active, p.y)));
 #line 98 "tests/emit/shaders/undefined.glsl"
   }
-#line 325 "twin.cpp"
+#line 266 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,67 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef Thing
-#undef a
-#undef c
-#undef calls
-#undef color
-#undef constant
-#undef constant_2
-#undef corners
-#undef far
-#undef five
-#undef fresh
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef indexed
-#undef k
-#undef kept
-#undef list
-#undef long_list
-#undef m
-#undef main
-#undef mainImage
-#undef missing
-#undef missing_thing
-#undef n
-#undef next
-#undef nowhere
-#undef outs
-#undef p
-#undef pairs
-#undef partly
-#undef rounds
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef sum
-#undef table
-#undef take
-#undef thing
-#undef things
-#undef turn
-#undef unsigned_far
-#undef weight
-#undef x
-#undef z
 
 namespace shadertwin::glsl {
 namespace {
@@ -104,14 +41,16 @@ struct Shader : Invocation {
     unwritten(thing);
 #line 7 "tests/emit/shaders/undefined.glsl"
     unwritten(list);
-    turn = mat2(0.0f, 0.0f, 0.0f, 0.0f);
+#line 7 "tests/emit/shaders/undefined.glsl"
+    unwritten(turn);
+#line 9 "tests/emit/shaders/undefined.glsl"
     if (iFrame > 100) {
       thing.weight = 1.0f;
 #line 10 "tests/emit/shaders/undefined.glsl"
     }
 #line 10 "tests/emit/shaders/undefined.glsl"
   }
-#line 115 "twin.cpp"
+#line 54 "twin.cpp"
 
 #line 13 "tests/emit/shaders/undefined.glsl"
   vec3 missing(Float x) {
@@ -124,7 +63,7 @@ struct Shader : Invocation {
     return {};
 #line 16 "tests/emit/shaders/undefined.glsl"
   }
-#line 128 "twin.cpp"
+#line 67 "twin.cpp"
 
 #line 19 "tests/emit/shaders/undefined.glsl"
   Thing missing_thing(Float x) {
@@ -141,7 +80,7 @@ struct Shader : Invocation {
     return {};
 #line 24 "tests/emit/shaders/undefined.glsl"
   }
-#line 145 "twin.cpp"
+#line 84 "twin.cpp"
 
 #line 28 "tests/emit/shaders/undefined.glsl"
   Float long_list(int n) {
@@ -162,7 +101,7 @@ struct Shader : Invocation {
     return sum;
 #line 36 "tests/emit/shaders/undefined.glsl"
   }
-#line 166 "twin.cpp"
+#line 105 "twin.cpp"
 
 #line 40 "tests/emit/shaders/undefined.glsl"
   int next() {
@@ -170,7 +109,7 @@ struct Shader : Invocation {
     return calls++;
 #line 40 "tests/emit/shaders/undefined.glsl"
   }
-#line 174 "twin.cpp"
+#line 113 "twin.cpp"
 
 #line 42 "tests/emit/shaders/undefined.glsl"
   vec3 partly(Float x) {
@@ -194,7 +133,7 @@ struct Shader : Invocation {
     return color;
 #line 51 "tests/emit/shaders/undefined.glsl"
   }
-#line 198 "twin.cpp"
+#line 137 "twin.cpp"
 
 #line 54 "tests/emit/shaders/undefined.glsl"
   Float rounds(Float x) {
@@ -217,11 +156,13 @@ struct Shader : Invocation {
     return sum;
 #line 63 "tests/emit/shaders/undefined.glsl"
   }
-#line 221 "twin.cpp"
+#line 160 "twin.cpp"
 
 #line 66 "tests/emit/shaders/undefined.glsl"
   void mainImage(vec4& c, vec2 p) {
-    c = vec4(0.0f);
+#line 66 "tests/emit/shaders/undefined.glsl"
+    unwritten(c);
+#line 68 "tests/emit/shaders/undefined.glsl"
     table[make<int>(p.x)] += 1.0f;
 #line 70 "tests/emit/shaders/undefined.glsl"
     Float sum;
@@ -268,7 +209,7 @@ struct Shader : Invocation {
     c = vec4(sum + long_list(3) + long_list(4), outs, indexed, nowhere.y + dot(partly(p.x), vec3(1.0f, 10.0f, 100.0f)) + rounds(p.y));
 #line 98 "tests/emit/shaders/undefined.glsl"
   }
-#line 272 "twin.cpp"
+#line 213 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

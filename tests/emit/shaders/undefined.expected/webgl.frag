@@ -30,7 +30,7 @@ vec2 pairs[3];
 Thing things[2];
 
 void take(out Thing thing, out float list[3], out mat2 turn)
-{ turn = mat2(0);
+{
 if (iFrame > 100)
 thing.weight = 1.0;
 }
@@ -89,7 +89,7 @@ return sum;
 }
 
 void mainImage(out vec4 c, in vec2 p)
-{ c = vec4(0);
+{
 table[int(p.x)] += 1.0;
 float sum;
 for (int i = 0; i < 1000; i++)

@@ -1,34 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef color
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iChannelTime
-#undef iDate
-#undef iFrame
-#undef iFrameRate
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef k
-#undef main
-#undef mainImage
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -42,9 +12,9 @@ struct Shader : Invocation {
   uniform::vec4 iDate{};
   uniform::vec4 iMouse{};
   float iSampleRate{};
-  array<uniform::vec3, 10> iChannelResolution{};
   float iFrameRate{};
   array<float, 4> iChannelTime{};
+  array<uniform::vec3, 10> iChannelResolution{};
 
   void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
@@ -58,9 +28,9 @@ struct Shader : Invocation {
     bind("iDate", iDate);
     bind("iMouse", iMouse);
     bind("iSampleRate", iSampleRate);
-    bind("iChannelResolution", iChannelResolution);
     bind("iFrameRate", iFrameRate);
     bind("iChannelTime", iChannelTime);
+    bind("iChannelResolution", iChannelResolution);
   }
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
@@ -69,7 +39,7 @@ struct Shader : Invocation {
 #line 2 "tests/emit/shaders/uniforms.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 2 "tests/emit/shaders/uniforms.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     Int k = make<Int>(p.x) % 4;
     set__(active, color, vec4(uniform::vec4(iResolution.x, iResolution.y, iResolution.z, iTime)));
     if (Bool active_2 = active && (k == 1); any__(active_2)) {
@@ -89,7 +59,7 @@ struct Shader : Invocation {
     }
 #line 7 "tests/emit/shaders/uniforms.glsl"
   }
-#line 93 "twin.cpp"
+#line 63 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,34 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef color
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iChannelTime
-#undef iDate
-#undef iFrame
-#undef iFrameRate
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef k
-#undef main
-#undef mainImage
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
 
 namespace shadertwin::glsl {
 namespace {
@@ -42,9 +12,9 @@ struct Shader : Invocation {
   vec4 iDate{};
   vec4 iMouse{};
   Float iSampleRate{};
-  array<vec3, 10> iChannelResolution{};
   Float iFrameRate{};
   array<Float, 4> iChannelTime{};
+  array<vec3, 10> iChannelResolution{};
 
   void initialise__() {
     unwritten(shadertoy_out_color);
@@ -58,9 +28,9 @@ struct Shader : Invocation {
     bind("iDate", iDate);
     bind("iMouse", iMouse);
     bind("iSampleRate", iSampleRate);
-    bind("iChannelResolution", iChannelResolution);
     bind("iFrameRate", iFrameRate);
     bind("iChannelTime", iChannelTime);
+    bind("iChannelResolution", iChannelResolution);
   }
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
@@ -69,7 +39,7 @@ struct Shader : Invocation {
 #line 2 "tests/emit/shaders/uniforms.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 2 "tests/emit/shaders/uniforms.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
     int k = make<int>(p.x) % 4;
     color = vec4(iResolution.x, iResolution.y, iResolution.z, iTime);
     if (k == 1) {
@@ -89,7 +59,7 @@ struct Shader : Invocation {
     }
 #line 7 "tests/emit/shaders/uniforms.glsl"
   }
-#line 93 "twin.cpp"
+#line 63 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -9,6 +9,8 @@ uniform int iFrame;
 uniform vec4 iDate;
 uniform vec4 iMouse;
 uniform float iSampleRate;
+uniform float iFrameRate;
+uniform float iChannelTime[4];
 uniform vec4 iMouseButton;
 uniform mat4 iViewMatrix;
 uniform vec3 iChannelResolution[10];
@@ -23,10 +25,8 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-uniform float iFrameRate;
-uniform float iChannelTime[4];
 
-void mainImage(out vec4 color, in vec2 p) { color = vec4(0);
+void mainImage(out vec4 color, in vec2 p) {
 int k = int(p.x) % 4;
 color = vec4(iResolution.x, iResolution.y, iResolution.z, iTime);
 if (k == 1) color = vec4(iTimeDelta, float(iFrame), iFrameRate, iSampleRate);

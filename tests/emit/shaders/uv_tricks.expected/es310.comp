@@ -28,7 +28,7 @@ uniform sampler2D iKeyboard ;
 
 mat2 r ( float a ) { return mat2 ( 0.8 , - 0.6 , 0.6 , 0.8 ) * a ; }
 void mainImage ( out vec4 O , vec2 U )
-{ O = vec4(0); O = vec4 ( 0 ) ;
+{ O = vec4(0);
 vec2 u = ( U + U - iResolution . xy ) / iResolution . y , v = u * 0. ;
 O *= 0. ; float i = 0. , d = 1. , z = 0. ; vec3 q = vec3(0) , p = vec3 ( 0 ) ;
 for ( O = vec4 ( 0 ) ; i ++ < 9. ; O += .1 / max ( d , .01 ) ) p = z * normalize ( vec3 ( u , 1 ) ) , p . z -= 2. , z += d = abs ( length ( p ) - 1. ) * .5 + .01 , q = p ;

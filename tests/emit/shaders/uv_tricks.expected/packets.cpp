@@ -1,42 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef O
-#undef U
-#undef a
-#undef d
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef k
-#undef main
-#undef mainImage
-#undef n
-#undef p
-#undef q
-#undef r
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef u
-#undef v
-#undef z
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -62,11 +24,13 @@ struct Shader : Invocation {
     return uniform::mat2(0.8f, -0.6f, 0.6f, 0.8f) * a;
 #line 4 "tests/emit/shaders/uv_tricks.glsl"
   }
-#line 66 "twin.cpp"
+#line 28 "twin.cpp"
 
 #line 5 "tests/emit/shaders/uv_tricks.glsl"
   void mainImage(Bool active, vec4& O, vec2 U) {
-    set__(active, O, vec4(0.0f));
+#line 5 "tests/emit/shaders/uv_tricks.glsl"
+    unwritten(active, O);
+#line 7 "tests/emit/shaders/uv_tricks.glsl"
     vec2 u = (U + U - vec2(iResolution.xy())) / iResolution.y;
 #line 7 "tests/emit/shaders/uv_tricks.glsl"
     vec2 v = u * 0.0f;
@@ -118,7 +82,7 @@ struct Shader : Invocation {
     set__(active, O, select__(O.x > 3.0f, O.yxzw(), O));
 #line 13 "tests/emit/shaders/uv_tricks.glsl"
   }
-#line 122 "twin.cpp"
+#line 86 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

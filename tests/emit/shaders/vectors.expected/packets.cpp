@@ -1,44 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef a
-#undef b
-#undef c
-#undef color
-#undef every
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef less
-#undef main
-#undef mainImage
-#undef more
-#undef other
-#undef p
-#undef s
-#undef same
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef some
-#undef t
-#undef v
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -59,7 +19,7 @@ struct Shader : Invocation {
 #line 2 "tests/emit/shaders/vectors.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
 #line 2 "tests/emit/shaders/vectors.glsl"
-    set__(active, color, vec4(0.0f));
+    unwritten(active, color);
     vec4 v = vec4(p, p.yx() * 0.5f);
     swizzle<3, 2>(v) = v.xy();
     swizzle<0, 1, 2>(v) = v.zyx();
@@ -120,7 +80,7 @@ struct Shader : Invocation {
     }
 #line 20 "tests/emit/shaders/vectors.glsl"
   }
-#line 124 "twin.cpp"
+#line 84 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,44 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef a
-#undef b
-#undef c
-#undef color
-#undef every
-#undef i
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef less
-#undef main
-#undef mainImage
-#undef more
-#undef other
-#undef p
-#undef s
-#undef same
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef some
-#undef t
-#undef v
 
 namespace shadertwin::glsl {
 namespace {
@@ -59,7 +19,7 @@ struct Shader : Invocation {
 #line 2 "tests/emit/shaders/vectors.glsl"
   void mainImage(vec4& color, vec2 p) {
 #line 2 "tests/emit/shaders/vectors.glsl"
-    color = vec4(0.0f);
+    unwritten(color);
     vec4 v = vec4(p, p.yx() * 0.5f);
     swizzle<3, 2>(v) = v.xy();
     swizzle<0, 1, 2>(v) = v.zyx();
@@ -106,7 +66,7 @@ struct Shader : Invocation {
     }
 #line 20 "tests/emit/shaders/vectors.glsl"
   }
-#line 110 "twin.cpp"
+#line 70 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

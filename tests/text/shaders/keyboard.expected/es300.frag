@@ -23,7 +23,6 @@ uniform sampler2D iChannel7 ;
 uniform sampler2D iChannel8 ;
 uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
-uniform float speed ;
 const int Key_Backspace = 8 ;
 const int Key_Tab = 9 ;
 const int Key_Enter = 13 ;
@@ -126,8 +125,9 @@ bool isKeyDown ( int key ) { return texture ( iKeyboard , vec2 ( float ( key ) /
 bool isKeyPressed ( int key ) { return texture ( iKeyboard , vec2 ( float ( key ) / 255.0 , 0.375 ) ) . x > 0.0 ; }
 bool isKeyToggled ( int key ) { return texture ( iKeyboard , vec2 ( float ( key ) / 255.0 , 0.625 ) ) . x > 0.0 ; }
 bool isKeyReleased ( int key ) { return texture ( iKeyboard , vec2 ( float ( key ) / 255.0 , 0.875 ) ) . x > 0.0 ; }
+uniform float speed ;
 
 
 
-void mainImage ( out vec4 c , in vec2 p ) { c = vec4(0); c = vec4 ( 0 ) ; c = vec4 ( isKeyDown ( Key_A ) ? speed : 0.0 , isKeyToggled ( Key_Enter ) , 0 , 1 ) ; }
+void mainImage ( out vec4 c , in vec2 p ) { c = vec4(0); c = vec4 ( isKeyDown ( Key_A ) ? speed : 0.0 , isKeyToggled ( Key_Enter ) , 0 , 1 ) ; }
 void main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

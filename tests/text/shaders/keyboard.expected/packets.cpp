@@ -1,39 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef Key_A
-#undef Key_Enter
-#undef c
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef isKeyDown
-#undef isKeyPressed
-#undef isKeyReleased
-#undef isKeyToggled
-#undef key
-#undef main
-#undef mainImage
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef speed
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -77,12 +42,10 @@ struct Shader : Invocation {
 #line 4 "tests/text/shaders/keyboard.glsl"
   void mainImage(Bool active, vec4& c, vec2 p) {
 #line 4 "tests/text/shaders/keyboard.glsl"
-    set__(active, c, vec4(0.0f));
-#line 4 "tests/text/shaders/keyboard.glsl"
     set__(active, c, vec4(select__(isKeyDown(active, Key_A), Float(speed), Float(0.0f)), make<Float>(isKeyToggled(active, Key_Enter)), 0.0f, 1.0f));
 #line 4 "tests/text/shaders/keyboard.glsl"
   }
-#line 86 "twin.cpp"
+#line 49 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,29 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef level
-#undef main
-#undef shadertoy_out_color
-#undef unused
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -54,7 +29,7 @@ struct Shader : Invocation {
     return texture(active, iChannel0, gl_FragCoord.xy() / vec2(iResolution.xy())).x + iTime;
 #line 4 "tests/text/shaders/legacy_names.glsl"
   }
-#line 58 "twin.cpp"
+#line 33 "twin.cpp"
 
 #line 5 "tests/text/shaders/legacy_names.glsl"
   void main(Bool active) {
@@ -62,7 +37,7 @@ struct Shader : Invocation {
     set__(active, shadertoy_out_color, vec4(clamp(level(active), Float(0.0f), Float(1.0f))));
 #line 5 "tests/text/shaders/legacy_names.glsl"
   }
-#line 66 "twin.cpp"
+#line 41 "twin.cpp"
 
 };
 

@@ -23,9 +23,8 @@ uniform sampler2D iChannel7;
 uniform sampler2D iChannel8;
 uniform sampler2D iChannel9;
 uniform sampler2D iKeyboard;
-#define saturate(a) clamp(a, 0.0, 1.0)
 
 
 in vec2 unused;
 float level() { return texture(iChannel0, gl_FragCoord.xy / iResolution.xy).x + iTime; }
-void main() { shadertoy_out_color = vec4(saturate(level())); }
+void main() { shadertoy_out_color = vec4(clamp(level(), 0.0, 1.0)); }

@@ -25,5 +25,5 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 
-void mainImage ( out vec4 o , vec2 u ) { o = vec4(0); o = vec4 ( 0 ) ; o = vec4 ( u , 0 , 1 ) ; }
+void mainImage ( out vec4 o , vec2 u ) { o = vec4(0); o = vec4 ( u , 0 , 1 ) ; }
 void main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

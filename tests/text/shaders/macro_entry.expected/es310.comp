@@ -25,7 +25,7 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 
-void mainImage ( out vec4 o , vec2 u ) { o = vec4(0); o = vec4 ( 0 ) ; o = vec4 ( u , 0 , 1 ) ; }
+void mainImage ( out vec4 o , vec2 u ) { o = vec4(0); o = vec4 ( u , 0 , 1 ) ; }
 void shadertwin_main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , shadertwin_frag_coord . xy ) ; shadertoy_out_color = shadertoy_color ; }
 void main() { ivec2 shadertwin_pixel = ivec2(gl_GlobalInvocationID.xy) + shadertwin_origin;
 if (any(greaterThanEqual(shadertwin_pixel, ivec2(iResolution.xy)))) return;

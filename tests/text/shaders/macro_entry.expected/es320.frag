@@ -25,5 +25,5 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 
-void mainImage ( precise out vec4 o , precise vec2 u ) { precise bool shadertwin_test; o = vec4 ( 0 ) ; o = vec4 ( 0 ) ; o = vec4 ( u , 0 , 1 ) ; }
+void mainImage ( precise out vec4 o , precise vec2 u ) { precise bool shadertwin_test; o = vec4 ( 0 ) ; o = vec4 ( u , 0 , 1 ) ; }
 void main ( ) { precise bool shadertwin_test; precise vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

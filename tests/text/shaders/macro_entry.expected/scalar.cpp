@@ -1,31 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef main
-#undef mainImage
-#undef o
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef u
 
 namespace shadertwin::glsl {
 namespace {
@@ -46,12 +19,10 @@ struct Shader : Invocation {
 #line 3 "tests/text/shaders/macro_entry.glsl"
   void mainImage(vec4& o, vec2 u) {
 #line 3 "tests/text/shaders/macro_entry.glsl"
-    o = vec4(0.0f);
-#line 3 "tests/text/shaders/macro_entry.glsl"
     o = vec4(u, 0.0f, 1.0f);
 #line 3 "tests/text/shaders/macro_entry.glsl"
   }
-#line 55 "twin.cpp"
+#line 26 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,27 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef color
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannel4
-#undef iChannel5
-#undef iChannel6
-#undef iChannel7
-#undef iChannel8
-#undef iChannel9
-#undef iChannelResolution
-#undef iDate
-#undef iFrame
-#undef iKeyboard
-#undef iMouse
-#undef iMouseButton
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef iViewMatrix
-#undef main
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -47,7 +24,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(gl_FragCoord.xy() / vec2(iResolution.xy()), 0.0f, 1.0f));
 #line 3 "tests/text/shaders/own_output.glsl"
   }
-#line 51 "twin.cpp"
+#line 28 "twin.cpp"
 
 };
 

@@ -23,6 +23,6 @@ void main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_colo
 float wave ( float t , float hertz ) { return sin ( 6.2831853 * hertz * t ) ; }
 
 
-void mainImage ( out vec4 c , in vec2 p ) { c = vec4(0); c = vec4 ( 0 ) ;
+void mainImage ( out vec4 c , in vec2 p ) { c = vec4(0);
 c = texelFetch ( iChannel0 , ivec2 ( p ) , 0 ) + texture ( iChannel1 , vec3 ( p , 1.0 ) ) * wave ( iTime , 1.0 ) ;
 }

@@ -23,7 +23,7 @@ void shadertwin_main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( sha
 float wave ( float t , float hertz ) { return sin ( 6.2831853 * hertz * t ) ; }
 
 
-void mainImage ( out vec4 c , in vec2 p ) { c = vec4(0); c = vec4 ( 0 ) ;
+void mainImage ( out vec4 c , in vec2 p ) { c = vec4(0);
 c = texelFetch ( iChannel0 , ivec2 ( p ) , 0 ) + texture ( iChannel1 , vec3 ( p , 1.0 ) ) * wave ( iTime , 1.0 ) ;
 }
 void main() { ivec2 shadertwin_pixel = ivec2(gl_GlobalInvocationID.xy) + shadertwin_origin;

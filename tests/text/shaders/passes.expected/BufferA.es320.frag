@@ -23,6 +23,6 @@ void main ( ) { precise bool shadertwin_test; precise vec4 shadertoy_color = vec
 float wave ( precise float t , precise float hertz ) { precise bool shadertwin_test; precise float shadertwin_result; return (shadertwin_result = (sin ( 6.2831853 * hertz * t ))) ; }
 
 
-void mainImage ( precise out vec4 c , precise in vec2 p ) { precise bool shadertwin_test; c = vec4 ( 0 ) ; c = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 c , precise in vec2 p ) { precise bool shadertwin_test; c = vec4 ( 0 ) ;
 c = texelFetch ( iChannel0 , ivec2 ( p ) , 0 ) + texture ( iChannel1 , vec3 ( p , 1.0 ) ) * wave ( iTime , 1.0 ) ;
 }

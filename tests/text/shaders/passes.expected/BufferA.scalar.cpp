@@ -1,27 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef c
-#undef hertz
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannelResolution
-#undef iChannelTime
-#undef iDate
-#undef iFrame
-#undef iFrameRate
-#undef iMouse
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef main
-#undef mainImage
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef t
-#undef wave
 
 namespace shadertwin::glsl {
 namespace {
@@ -57,16 +34,14 @@ struct Shader : Invocation {
     return sin(6.2831855f * hertz * t);
 #line 3 "tests/text/shaders/passes/common.glsl"
   }
-#line 61 "twin.cpp"
+#line 38 "twin.cpp"
 
 #line 3 "tests/text/shaders/passes/buffer_a.glsl"
   void mainImage(vec4& c, vec2 p) {
-#line 3 "tests/text/shaders/passes/buffer_a.glsl"
-    c = vec4(0.0f);
     c = texelFetch(iChannel0, make<ivec2>(p), 0) + texture(iChannel1, vec3(p, 1.0f)) * wave(iTime, 1.0f);
 #line 4 "tests/text/shaders/passes/buffer_a.glsl"
   }
-#line 70 "twin.cpp"
+#line 45 "twin.cpp"
 
 };
 

@@ -21,4 +21,4 @@ void main ( ) { vec2 st = 2.0 * gl_FragCoord . xy / iResolution . xy - 1.0 ; vec
 
 
 float wave ( float t , float hertz ) { return sin ( 6.2831853 * hertz * t ) ; }
-void mainCubemap ( out vec4 c , in vec2 p , in vec3 origin , in vec3 direction ) { c = vec4(0); c = vec4 ( 0 ) ; c = vec4 ( direction , wave ( p . x , 1.0 ) ) ; }
+void mainCubemap ( out vec4 c , in vec2 p , in vec3 origin , in vec3 direction ) { c = vec4(0); c = vec4 ( direction , wave ( p . x , 1.0 ) ) ; }

@@ -21,4 +21,4 @@ void main ( ) { precise bool shadertwin_test; precise vec2 st = 2.0 * gl_FragCoo
 
 
 float wave ( precise float t , precise float hertz ) { precise bool shadertwin_test; precise float shadertwin_result; return (shadertwin_result = (sin ( 6.2831853 * hertz * t ))) ; }
-void mainCubemap ( precise out vec4 c , precise in vec2 p , precise in vec3 origin , precise in vec3 direction ) { precise bool shadertwin_test; c = vec4 ( 0 ) ; c = vec4 ( 0 ) ; c = vec4 ( direction , wave ( p . x , 1.0 ) ) ; }
+void mainCubemap ( precise out vec4 c , precise in vec2 p , precise in vec3 origin , precise in vec3 direction ) { precise bool shadertwin_test; c = vec4 ( 0 ) ; c = vec4 ( direction , wave ( p . x , 1.0 ) ) ; }

@@ -1,32 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef c
-#undef direction
-#undef hertz
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannelResolution
-#undef iChannelTime
-#undef iDate
-#undef iFrame
-#undef iFrameRate
-#undef iMouse
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef main
-#undef mainCubemap
-#undef origin
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef shadertwin_face
-#undef shadertwin_ray
-#undef st
-#undef t
-#undef wave
 
 namespace shadertwin::glsl {
 namespace {
@@ -62,17 +34,15 @@ struct Shader : Invocation {
     return sin(6.2831855f * hertz * t);
 #line 3 "tests/text/shaders/passes/common.glsl"
   }
-#line 66 "twin.cpp"
+#line 38 "twin.cpp"
 
 #line 1 "tests/text/shaders/passes/cubemap_a.glsl"
   void mainCubemap(vec4& c, vec2 p, vec3 origin, vec3 direction) {
 #line 1 "tests/text/shaders/passes/cubemap_a.glsl"
-    c = vec4(0.0f);
-#line 1 "tests/text/shaders/passes/cubemap_a.glsl"
     c = vec4(direction, wave(p.x, 1.0f));
 #line 1 "tests/text/shaders/passes/cubemap_a.glsl"
   }
-#line 76 "twin.cpp"
+#line 46 "twin.cpp"
 
 };
 

@@ -23,13 +23,13 @@ void shadertwin_main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( sha
 
 float wave ( float t , float hertz ) { return sin ( 6.2831853 * hertz * t ) ; }
 
-void mainImage ( out vec4 c , in vec2 p ) { c = vec4(0); c = vec4 ( 0 ) ;
+void mainImage ( out vec4 c , in vec2 p ) { c = vec4(0);
 float levels [ 3 ] = float[3](0.0, 0.0, 0.0) ;
 levels [shadertwin_at(( int ( p . x ) % 3 ), 2)] = texture ( iChannel0 , p / iResolution . xy ) . x ;
 st_assert ( levels [ 0 ] >= 0.0 ) ;
 c = vec4 ( levels [ 0 ] , levels [ 1 ] , iChannelResolution [ 0 ] . xy ) ;
 }
-void mainVR ( out vec4 c , in vec2 p , in vec3 origin , in vec3 direction ) { c = vec4(0); c = vec4 ( 0 ) ; c = vec4 ( direction , 1.0 ) ; }
+void mainVR ( out vec4 c , in vec2 p , in vec3 origin , in vec3 direction ) { c = vec4(0); c = vec4 ( direction , 1.0 ) ; }
 void main() { ivec2 shadertwin_pixel = ivec2(gl_GlobalInvocationID.xy) + shadertwin_origin;
 if (any(greaterThanEqual(shadertwin_pixel, ivec2(iResolution.xy)))) return;
 shadertwin_frag_coord = vec4(vec2(shadertwin_pixel) + 0.5, 0.5, 1.0);

@@ -1,35 +1,4 @@
 #include "reference/twin/invocation.h"
-#undef c
-#undef condition
-#undef direction
-#undef hertz
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannelResolution
-#undef iChannelTime
-#undef iDate
-#undef iFrame
-#undef iFrameRate
-#undef iMouse
-#undef iResolution
-#undef iSampleRate
-#undef iTime
-#undef iTimeDelta
-#undef kind
-#undef levels
-#undef main
-#undef mainImage
-#undef mainVR
-#undef origin
-#undef p
-#undef shadertoy_color
-#undef shadertoy_out_color
-#undef shadertwin_failed
-#undef st_assert
-#undef t
-#undef wave
 
 namespace shadertwin::glsl {
 namespace {
@@ -80,12 +49,12 @@ struct Shader : Invocation {
     return sin(6.2831855f * hertz * t);
 #line 3 "tests/text/shaders/passes/common.glsl"
   }
-#line 84 "twin.cpp"
+#line 53 "twin.cpp"
 
 #line 2 "tests/text/shaders/passes/image.glsl"
   void mainImage(vec4& c, vec2 p) {
 #line 2 "tests/text/shaders/passes/image.glsl"
-    c = vec4(0.0f);
+    unwritten(c);
 #line 4 "tests/text/shaders/passes/image.glsl"
     array<Float, 3> levels;
 #line 4 "tests/text/shaders/passes/image.glsl"
@@ -94,17 +63,15 @@ struct Shader : Invocation {
     c = vec4(levels[0], levels[1], iChannelResolution[0].xy());
 #line 6 "tests/text/shaders/passes/image.glsl"
   }
-#line 98 "twin.cpp"
+#line 67 "twin.cpp"
 
 #line 8 "tests/text/shaders/passes/image.glsl"
   void mainVR(vec4& c, vec2 p, vec3 origin, vec3 direction) {
 #line 8 "tests/text/shaders/passes/image.glsl"
-    c = vec4(0.0f);
-#line 8 "tests/text/shaders/passes/image.glsl"
     c = vec4(direction, 1.0f);
 #line 8 "tests/text/shaders/passes/image.glsl"
   }
-#line 108 "twin.cpp"
+#line 75 "twin.cpp"
 
 };
 

@@ -23,10 +23,10 @@ void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_Fr
 
 float wave(float t, float hertz) { return sin(6.2831853 * hertz * t); }
 
-void mainImage(out vec4 c, in vec2 p) { c = vec4(0);
+void mainImage(out vec4 c, in vec2 p) {
 float levels[3];
 levels[int(p.x) % 3] = texture(iChannel0, p / iResolution.xy).x;
 st_assert(levels[0] >= 0.0);
 c = vec4(levels[0], levels[1], iChannelResolution[0].xy);
 }
-void mainVR(out vec4 c, in vec2 p, in vec3 origin, in vec3 direction) { c = vec4(0); c = vec4(direction, 1.0); }
+void mainVR(out vec4 c, in vec2 p, in vec3 origin, in vec3 direction) { c = vec4(direction, 1.0); }

@@ -1,23 +1,4 @@
 #include "reference/twin/packet_invocation.h"
-#undef hertz
-#undef iChannel0
-#undef iChannel1
-#undef iChannel2
-#undef iChannel3
-#undef iChannelResolution
-#undef iDate
-#undef iSampleOffset
-#undef iSampleRate
-#undef iTimeOffset
-#undef main
-#undef mainSound
-#undef samp
-#undef shadertoy_out_color
-#undef shadertwin_sample
-#undef shadertwin_time
-#undef t
-#undef time
-#undef wave
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -53,7 +34,7 @@ struct Shader : Invocation {
     return sin(6.2831855f * hertz * t);
 #line 3 "tests/text/shaders/passes/common.glsl"
   }
-#line 57 "twin.cpp"
+#line 38 "twin.cpp"
 
 #line 1 "tests/text/shaders/passes/sound.glsl"
   vec2 mainSound(Bool active, Int samp, Float time) {
@@ -61,7 +42,7 @@ struct Shader : Invocation {
     return vec2(wave(active, time, 440.0f), wave(active, time, 441.0f));
 #line 1 "tests/text/shaders/passes/sound.glsl"
   }
-#line 65 "twin.cpp"
+#line 46 "twin.cpp"
 
 };
 
