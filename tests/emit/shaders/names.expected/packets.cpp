@@ -1,12 +1,10 @@
 #include "reference/twin/packet_invocation.h"
-#undef EOF
 #undef INFINITY
 #undef M_PI
 #undef NULL
 #undef _Atomic_
 #undef _Complex_
 #undef assert
-#undef errno
 
 namespace shadertwin::glsl::packet {
 namespace {
@@ -53,7 +51,7 @@ struct Shader : Invocation {
     return a;
 #line 3 "tests/emit/shaders/names.glsl"
   }
-#line 57 "twin.cpp"
+#line 55 "twin.cpp"
 
 #line 4 "tests/emit/shaders/names.glsl"
   float delete_(Bool active, float this__) {
@@ -61,7 +59,7 @@ struct Shader : Invocation {
     return this__ + 1.0f;
 #line 4 "tests/emit/shaders/names.glsl"
   }
-#line 65 "twin.cpp"
+#line 63 "twin.cpp"
 
 #line 5 "tests/emit/shaders/names.glsl"
   float int__(Bool active, float and_) {
@@ -71,7 +69,7 @@ struct Shader : Invocation {
     return or_;
 #line 5 "tests/emit/shaders/names.glsl"
   }
-#line 75 "twin.cpp"
+#line 73 "twin.cpp"
 
 #line 6 "tests/emit/shaders/names.glsl"
   float fract__(Bool active, float x) {
@@ -79,7 +77,7 @@ struct Shader : Invocation {
     return x - floor(x);
 #line 6 "tests/emit/shaders/names.glsl"
   }
-#line 83 "twin.cpp"
+#line 81 "twin.cpp"
 
 #line 7 "tests/emit/shaders/names.glsl"
   Float array_(Bool active, Float std_) {
@@ -87,7 +85,7 @@ struct Shader : Invocation {
     return std_ * 3.0f;
 #line 7 "tests/emit/shaders/names.glsl"
   }
-#line 91 "twin.cpp"
+#line 89 "twin.cpp"
 
 #line 8 "tests/emit/shaders/names.glsl"
   float swizzle_(Bool active, float at_) {
@@ -95,7 +93,7 @@ struct Shader : Invocation {
     return at_ - 1.0f;
 #line 8 "tests/emit/shaders/names.glsl"
   }
-#line 99 "twin.cpp"
+#line 97 "twin.cpp"
 
 #line 9 "tests/emit/shaders/names.glsl"
   Float _Complex_(Bool active, Float _Atomic_) {
@@ -103,7 +101,7 @@ struct Shader : Invocation {
     return _Atomic_;
 #line 9 "tests/emit/shaders/names.glsl"
   }
-#line 107 "twin.cpp"
+#line 105 "twin.cpp"
 
 #line 13 "tests/emit/shaders/names.glsl"
   float map(Bool active, uniform::vec3 p) {
@@ -111,7 +109,7 @@ struct Shader : Invocation {
     return p.x;
 #line 13 "tests/emit/shaders/names.glsl"
   }
-#line 115 "twin.cpp"
+#line 113 "twin.cpp"
 
 #line 14 "tests/emit/shaders/names.glsl"
   Float noise(Bool active, Float p) {
@@ -119,7 +117,7 @@ struct Shader : Invocation {
     return p * 0.5f;
 #line 14 "tests/emit/shaders/names.glsl"
   }
-#line 123 "twin.cpp"
+#line 121 "twin.cpp"
 
 #line 16 "tests/emit/shaders/names.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -178,7 +176,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(noise_2 + length_2 + mix, char_ + signed_ * new_ + nullptr_ + main_ + thread_local_ + xor_ + not_eq_ + wchar_t_, array__ + Shader_ + vec + glm + tmp + make_ + divide_ + lane_ + swizzle_(active, delete_(active, int__(active, 1.0f))), M_PI + NULL + EOF + assert + errno + INFINITY + s.friend__.y + s.operator__ + uv_2.y + map(active, uniform::vec3(1.0f)) + class__(active, 2.0f) + fract__(active, 1.25f)));
 #line 23 "tests/emit/shaders/names.glsl"
   }
-#line 182 "twin.cpp"
+#line 180 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

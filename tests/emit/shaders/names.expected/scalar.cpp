@@ -1,12 +1,10 @@
 #include "reference/twin/invocation.h"
-#undef EOF
 #undef INFINITY
 #undef M_PI
 #undef NULL
 #undef _Atomic_
 #undef _Complex_
 #undef assert
-#undef errno
 
 namespace shadertwin::glsl {
 namespace {
@@ -52,7 +50,7 @@ struct Shader : Invocation {
     return a;
 #line 3 "tests/emit/shaders/names.glsl"
   }
-#line 56 "twin.cpp"
+#line 54 "twin.cpp"
 
 #line 4 "tests/emit/shaders/names.glsl"
   Float delete_(Float this__) {
@@ -60,7 +58,7 @@ struct Shader : Invocation {
     return this__ + 1.0f;
 #line 4 "tests/emit/shaders/names.glsl"
   }
-#line 64 "twin.cpp"
+#line 62 "twin.cpp"
 
 #line 5 "tests/emit/shaders/names.glsl"
   Float int__(Float and_) {
@@ -70,7 +68,7 @@ struct Shader : Invocation {
     return or_;
 #line 5 "tests/emit/shaders/names.glsl"
   }
-#line 74 "twin.cpp"
+#line 72 "twin.cpp"
 
 #line 6 "tests/emit/shaders/names.glsl"
   Float fract__(Float x) {
@@ -78,7 +76,7 @@ struct Shader : Invocation {
     return x - floor(x);
 #line 6 "tests/emit/shaders/names.glsl"
   }
-#line 82 "twin.cpp"
+#line 80 "twin.cpp"
 
 #line 7 "tests/emit/shaders/names.glsl"
   Float array_(Float std_) {
@@ -86,7 +84,7 @@ struct Shader : Invocation {
     return std_ * 3.0f;
 #line 7 "tests/emit/shaders/names.glsl"
   }
-#line 90 "twin.cpp"
+#line 88 "twin.cpp"
 
 #line 8 "tests/emit/shaders/names.glsl"
   Float swizzle_(Float at_) {
@@ -94,7 +92,7 @@ struct Shader : Invocation {
     return at_ - 1.0f;
 #line 8 "tests/emit/shaders/names.glsl"
   }
-#line 98 "twin.cpp"
+#line 96 "twin.cpp"
 
 #line 9 "tests/emit/shaders/names.glsl"
   Float _Complex_(Float _Atomic_) {
@@ -102,7 +100,7 @@ struct Shader : Invocation {
     return _Atomic_;
 #line 9 "tests/emit/shaders/names.glsl"
   }
-#line 106 "twin.cpp"
+#line 104 "twin.cpp"
 
 #line 13 "tests/emit/shaders/names.glsl"
   Float map(vec3 p) {
@@ -110,7 +108,7 @@ struct Shader : Invocation {
     return p.x;
 #line 13 "tests/emit/shaders/names.glsl"
   }
-#line 114 "twin.cpp"
+#line 112 "twin.cpp"
 
 #line 14 "tests/emit/shaders/names.glsl"
   Float noise(Float p) {
@@ -118,7 +116,7 @@ struct Shader : Invocation {
     return p * 0.5f;
 #line 14 "tests/emit/shaders/names.glsl"
   }
-#line 122 "twin.cpp"
+#line 120 "twin.cpp"
 
 #line 16 "tests/emit/shaders/names.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -177,7 +175,7 @@ struct Shader : Invocation {
     color = vec4(noise_2 + length_2 + mix, char_ + signed_ * new_ + nullptr_ + main_ + thread_local_ + xor_ + not_eq_ + wchar_t_, array__ + Shader_ + vec + glm + tmp + make_ + divide_ + lane_ + swizzle_(delete_(int__(1.0f))), M_PI + NULL + EOF + assert + errno + INFINITY + s.friend__.y + s.operator__ + uv_2.y + map(vec3(1.0f)) + class__(2.0f) + fract__(1.25f));
 #line 23 "tests/emit/shaders/names.glsl"
   }
-#line 181 "twin.cpp"
+#line 179 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);
