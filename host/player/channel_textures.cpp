@@ -37,12 +37,11 @@ ChannelTexture ChannelTextures::moving(const Input& input, const MovingInput& so
   return {entry->second, channel_size(project_, input, &source.texture(), {0, 0}), &source};
 }
 
-// One texel (0, 0, 0, 1), as browsers have it. A buffer that is not there reads as one that was never drawn:
-// zero, alpha too.
+// One texel (0, 0, 0, 1), as browsers have it.
 TextureId ChannelTextures::empty(const Input& input) {
   const SamplerShape shape = info(input.missing).shape;
-  const auto alpha = static_cast<std::byte>(input.missing == InputKind::pass ? 0 : rules_.empty_alpha);
-  const auto [entry, is_new] = empty_.try_emplace({shape, alpha});
+  const auto alpha = static_cast<std::byte>(rules_.empty_alpha);
+  const auto [entry, is_new] = empty_.try_emplace(shape);
   if (!is_new) return entry->second;
   Texture texel{.width = 1,
                 .height = 1,
@@ -52,6 +51,16 @@ TextureId ChannelTextures::empty(const Input& input) {
   texel.data.resize(texel.texel_bytes() * static_cast<std::size_t>(texel.faces));
   for (std::size_t i = 3; i < texel.data.size(); i += 4) texel.data[i] = alpha;
   return entry->second = device_.make_texture(std::move(texel), false);
+}
+
+TextureId ChannelTextures::undrawn(const Input& input, glm::ivec2 frame_size) {
+  const auto [entry, is_new] = undrawn_.try_emplace(input.kind);
+  Undrawn& undrawn = entry->second;
+  if (is_new) undrawn.texture = device_.make_target(info(input.kind).shape == SamplerShape::cube, false);
+  const glm::ivec2 size(channel_size(project_, input, nullptr, frame_size));
+  if (undrawn.size != size) device_.resize(undrawn.texture, size, false);
+  undrawn.size = size;
+  return undrawn.texture;
 }
 
 ChannelTexture ChannelTextures::keyboard() {

@@ -26,9 +26,12 @@ class ChannelTextures {
   explicit ChannelTextures(Device& device)
       : device_(device), project_(device.project()), rules_(host_rules(project_)), moving_inputs_(project_) {}
 
-  // Loads what is bound to a channel, any kind of input but a pass; each file goes to the device once. Throws
+  // Loads what is bound to a channel, any kind of input but a pass that is there or not; each file goes to the device once. Throws
   // Error(file).
   ChannelTexture load(const Input& input);
+  // A pass that the project lacks reads as one that was never drawn: zero, alpha too. `frame_size`: of the
+  // project's pictures.
+  TextureId undrawn(const Input& input, glm::ivec2 frame_size);
   // 256 texels wide, as high as the dialect has rows.
   ChannelTexture keyboard();
   // Brings the keyboard and what moves to the frame.
@@ -40,13 +43,19 @@ class ChannelTextures {
   ChannelTexture moving(const Input& input, const MovingInput& source);
   TextureId empty(const Input& input);
 
+  struct Undrawn {
+    TextureId texture{};
+    glm::ivec2 size{0};
+  };
+
   Device& device_;
   const Project& project_;
   HostRules rules_;
   MovingInputs moving_inputs_;
   std::map<std::string, ChannelTexture> files_;
   std::map<std::pair<const MovingInput*, bool>, TextureId> moving_;  // with and without mipmaps
-  std::map<std::pair<SamplerShape, std::byte>, TextureId> empty_;    // by shape and alpha
+  std::map<SamplerShape, TextureId> empty_;
+  std::map<InputKind, Undrawn> undrawn_;
   std::optional<TextureId> keyboard_;
 };
 

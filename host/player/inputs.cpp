@@ -73,6 +73,10 @@ glm::vec3 channel_size(const Project& project, const Input& input, const Texture
       const int side = traits_of_source(project, input).side;
       return side != 0 ? glm::vec3(side, side, 1) : glm::vec3(frame_size, 1);
     }
+    case InputSource::undrawn:
+      if (input.kind == InputKind::none) return glm::vec3(0.0F);
+      return kind.shape == SamplerShape::cube ? glm::vec3(cubemap_pass_size, cubemap_pass_size, 1)
+                                              : glm::vec3(frame_size, 1);
     case InputSource::keyboard:
       return glm::vec3(256, rules.keyboard_rows, 1);
   }

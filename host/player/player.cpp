@@ -21,6 +21,12 @@ bool needs_mipmaps(const Project& project, std::size_t pass) {
   return false;
 }
 
+// Whether an input is a pass, drawn or not there.
+bool is_pass(const Input& input) {
+  const InputSource source = info(input.kind).source;
+  return source == InputSource::pass || source == InputSource::undrawn;
+}
+
 }  // namespace
 
 Player::Player(std::unique_ptr<Device> device) : device_(std::move(device)) {
@@ -45,7 +51,7 @@ void Player::bind_inputs(std::size_t index) {
     const Input input = bound_input(pass, i);
     const bool keyboard = input.kind == InputKind::keyboard;
     // What is read of a pass changes with every frame, and its size with the frame's.
-    const ChannelTexture loaded = input.kind == InputKind::pass ? ChannelTexture{} : textures_.load(input);
+    const ChannelTexture loaded = is_pass(input) ? ChannelTexture{} : textures_.load(input);
     state.channels.push_back({loaded.texture, keyboard ? nearest : input.sampler});
     state.moving.push_back(loaded.moving);
     state.sizes[i] = loaded.size;
@@ -96,9 +102,8 @@ void Player::draw_passes(const Frame& frame) {
     ChannelTimes times{};
     for (std::size_t channel = 0; channel < max_channels; ++channel) {
       const Input& input = pass.inputs[channel];
-      if (input.kind == InputKind::pass) {
-        const auto source = static_cast<std::size_t>(input.pass);
-        state.channels[channel].texture = passes_[source].targets[ping_pong_.read_by(i, source)];
+      if (is_pass(input)) {
+        state.channels[channel].texture = source_texture(i, input);
         state.sizes[channel] = channel_size(project, input, nullptr, ping_pong_.reported_size());
       } else if (state.moving[channel] != nullptr && channel < times.size()) {
         times[channel] = static_cast<float>(state.moving[channel]->time());
@@ -106,6 +111,12 @@ void Player::draw_passes(const Frame& frame) {
     }
     draw(i, frame.index, uniforms_for(project, pass, frame, state.size, state.sizes, times), frame.uniforms);
   }
+}
+
+TextureId Player::source_texture(std::size_t reader, const Input& input) {
+  if (input.kind != InputKind::pass) return textures_.undrawn(input, size_);
+  const auto source = static_cast<std::size_t>(input.pass);
+  return passes_[source].targets[ping_pong_.read_by(reader, source)];
 }
 
 void Player::draw(std::size_t pass, int index, const Uniforms& uniforms,

@@ -67,6 +67,8 @@ class Player {
   void bind_inputs(std::size_t pass);
   void resize(glm::ivec2 size);
   void draw_passes(const Frame& frame);
+  // What the pass `reader` reads of another one now.
+  TextureId source_texture(std::size_t reader, const Input& input);
   void draw(std::size_t pass, int index, const Uniforms& uniforms,
             const std::vector<std::array<float, 4>>& custom_uniforms);
 

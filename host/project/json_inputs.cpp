@@ -199,9 +199,10 @@ Input JsonInputs::read_pass(const std::string& id, const std::string& source, Pa
   for (std::size_t i = 0; i < passes_.size() && input.pass < 0; ++i)
     if (passes_[i].kind == kind && (traits(kind).most == 1 || (letter != 0 && passes_[i].letter == letter)))
       input.pass = static_cast<int>(i);
-  if (input.pass >= 0)
-    input.kind = InputKind::pass;
-  else
+  input.kind = input.pass >= 0             ? InputKind::pass
+               : kind == PassKind::cubemap ? InputKind::undrawn_cubemap
+                                           : InputKind::undrawn_buffer;
+  if (input.pass < 0)
     warn("pass " + id + source, "an input reads a pass that is not there: " + (id.empty() ? source : id));
   return input;
 }

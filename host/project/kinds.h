@@ -51,6 +51,7 @@ enum class InputSource {
   files,   // read once
   moving,  // a MovingInput: other ones in every frame
   pass,
+  undrawn,  // a pass that the project lacks: zero
   keyboard
 };
 
@@ -86,7 +87,7 @@ constexpr Sampler mipmapped_volume = {MinFilter::linear_mipmap_linear, MagFilter
 
 }  // namespace input_samplers
 
-constexpr std::array<InputKindInfo, 10> input_kinds = {{
+constexpr std::array<InputKindInfo, 12> input_kinds = {{
     {InputKind::none, "none", "", InputSource::nothing, 0, SamplerShape::flat, false, false, true, 0,
      input_samplers::clamped, input_samplers::plain},
     {InputKind::texture, "texture", "texture", InputSource::files, 1, SamplerShape::flat, false, true, true,
@@ -107,6 +108,10 @@ constexpr std::array<InputKindInfo, 10> input_kinds = {{
      input_samplers::clamped, input_samplers::plain},
     {InputKind::microphone, "microphone", "mic", InputSource::moving, 0, SamplerShape::flat, true, false,
      true, 4, input_samplers::clamped, input_samplers::plain},
+    {InputKind::undrawn_buffer, "missing buffer", "buffer", InputSource::undrawn, 0, SamplerShape::flat,
+     false, true, false, 0, input_samplers::clamped, input_samplers::plain},
+    {InputKind::undrawn_cubemap, "missing cubemap pass", "cubemap", InputSource::undrawn, 0,
+     SamplerShape::cube, false, true, false, 0, input_samplers::mipmapped_cube, input_samplers::plain},
 }};
 
 constexpr const InputKindInfo& info(InputKind kind) {

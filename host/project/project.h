@@ -47,7 +47,11 @@ enum class InputKind {
   music,  // files[0]
   video,  // files[0]
   webcam,
-  microphone
+  microphone,
+  // A buffer or the cubemap pass that the project lacks: texels that nobody draws, of the size that the pass
+  // would have. shadertoy.com has all of them, drawn or not.
+  undrawn_buffer,
+  undrawn_cubemap
 };
 
 // What is bound to one channel of one pass.

@@ -131,6 +131,11 @@ class Writer {
         fail(pass, "shadertoy.com can't read the image in iChannel" + std::to_string(channel));
       type = kind.name;
       source = "/media/previz/" + type + '0' + std::to_string(id - kind.site_output) + ".png";
+    } else if (info(input.kind).source == InputSource::undrawn) {
+      const PassTraits& kind =
+          traits(input.kind == InputKind::undrawn_buffer ? PassKind::buffer : PassKind::cubemap);
+      id = undrawn_id(kind);
+      source = "/media/previz/" + type + '0' + std::to_string(id - kind.site_output) + ".png";
     } else if (input.kind == InputKind::keyboard) {
       id = keyboard_id;
       source = "/presets/tex00.jpg";
@@ -149,6 +154,13 @@ class Writer {
                            {"internal", "byte"}};
     return {{"id", id},           {"src", source},       {"ctype", type},
             {"channel", channel}, {"sampler", settings}, {"published", 1}};
+  }
+
+  // The first id of the kind that no pass has: there is one, as there is a pass that is not there.
+  int undrawn_id(const PassTraits& kind) const {
+    int id = kind.site_output;
+    while (std::find(ids_.begin(), ids_.end(), id) != ids_.end()) ++id;
+    return id;
   }
 
   int flags() const {

@@ -17,11 +17,15 @@ namespace shadertwin {
 namespace {
 
 std::string_view sampler_name(const Project& project, const Input& input) {
-  if (input.wanted() == InputKind::cubemap) return "samplerCube";
-  if (input.wanted() == InputKind::volume) return "sampler3D";
-  if (input.kind == InputKind::pass &&
-      project.passes[static_cast<std::size_t>(input.pass)].kind == PassKind::cubemap)
-    return "samplerCube";
+  const bool cube_pass = input.kind == InputKind::pass && traits_of_source(project, input).faces == 6;
+  switch (cube_pass ? SamplerShape::cube : info(input.wanted()).shape) {
+    case SamplerShape::cube:
+      return "samplerCube";
+    case SamplerShape::volume:
+      return "sampler3D";
+    case SamplerShape::flat:
+      break;
+  }
   return "sampler2D";
 }
 

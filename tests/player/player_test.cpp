@@ -285,8 +285,34 @@ TEST(Player, EmptyChannelsHaveOneTexelOfTheShapeThatIsMissing) {
   EXPECT_EQ(alpha(InputKind::none, false), 255);
   EXPECT_EQ(alpha(InputKind::cubemap, false), 255);
   EXPECT_EQ(alpha(InputKind::volume, false), 255);
-  EXPECT_EQ(alpha(InputKind::pass, false), 0) << "a buffer that was never drawn";
   EXPECT_EQ(alpha(InputKind::cubemap, true), 0);
+}
+
+TEST(Player, APassThatIsNotThereIsAsLargeAsItWouldBe) {
+  Project project = accumulating();
+  project.passes[0].inputs[1] = of_kind(InputKind::undrawn_buffer);
+  project.passes[1].inputs[1] = of_kind(InputKind::undrawn_buffer);
+  project.passes[1].inputs[2] = of_kind(InputKind::undrawn_cubemap);
+  Played played(project);
+  for (const int width : {4, 7}) {
+    played.player.render(frame_of(0, width));
+    const TextureId buffer = played.device.bound(1, 1);
+    const TextureId cube = played.device.bound(1, 2);
+    EXPECT_EQ(played.device.bound(0, 1), buffer);
+    EXPECT_FALSE(played.device.surface(buffer).cube);
+    EXPECT_TRUE(played.device.surface(cube).cube);
+    const auto& sizes = played.device.last_draw(1).uniforms.iChannelResolution;
+    EXPECT_EQ(sizes[1], glm::vec3(width, 3, 1));
+    EXPECT_EQ(sizes[2], glm::vec3(cubemap_pass_size, cubemap_pass_size, 1));
+    const Lines log = played.device.take();
+    const auto resized = [&](TextureId texture, int w, int h) {
+      const std::string line = "resize " + std::to_string(static_cast<std::size_t>(texture)) + " to " +
+                               std::to_string(w) + "x" + std::to_string(h);
+      return std::any_of(log.begin(), log.end(), [&](const auto& l) { return l == line; });
+    };
+    EXPECT_TRUE(resized(buffer, width, 3));
+    EXPECT_EQ(resized(cube, cubemap_pass_size, cubemap_pass_size), width == 4);
+  }
 }
 
 TEST(Player, ShowsTheKeyboardOfEveryFrame) {

@@ -1,4 +1,5 @@
-// Small shaders that paint green where the answer is right and red where it is not, on every player.
+// Small shaders and projects that paint green where the answer is right and red where it is not, on every
+// player.
 #include <filesystem>
 
 #include "host/base/error.h"

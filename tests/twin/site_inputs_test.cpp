@@ -25,6 +25,22 @@ TEST_P(SiteInputs, EmptyChannelsOfEveryKindAreOpaqueBlack) {
   EXPECT_EQ(pixel(pictures(project, 1)[0], 1, 1), glm::vec4(1));
 }
 
+TEST_P(SiteInputs, AMissingBufferIsAsLargeAsThePictureAlsoAfterAResize) {
+  const Project project = load_project(json(
+      "gone.json",
+      pass("image", 37,
+           input(259, "buffer", 0) + "," + input(41, "cubemap", 1, "/media/previz/cubemap00.png"),
+           "void mainImage(out vec4 c, in vec2 p) { c = vec4(iChannelResolution[0].xy, "
+           "vec2(textureSize(iChannel0, 0))) + texture(iChannel0, p) + texture(iChannel1, vec3(p, 1)); }")));
+  const auto player = play(project);
+  for (const glm::ivec2 size : {glm::ivec2(4, 3), glm::ivec2(9, 5), glm::ivec2(2, 7)}) {
+    player->render(frame(1, size.x, size.y));
+    const Image image = player->read(0);
+    const float* corner = image.at(0, 0);
+    EXPECT_EQ(glm::vec3(corner[0], corner[1], corner[2]), glm::vec3(size, size.x));
+  }
+}
+
 // Whoever reads with mipmaps has those of this frame, and each reader its own filter.
 TEST_P(SiteInputs, BuffersHaveTheirReadersFiltersAndMipmapsOfThisFrame) {
   const Project project = load_project(json(

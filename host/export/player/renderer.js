@@ -53,6 +53,7 @@ class Renderer {
     this.sounds = new Sounds();
     this.media = new Map();
     this.blanks = new Map();
+    this.undrawn = new Map();
   }
 
   // Compiles and loads. Gives the compiler's messages; with any, nothing can be drawn.
@@ -72,7 +73,7 @@ class Renderer {
     if (this.passes.some((pass) => pass.keyboard)) this.needKeyboard();
     // The extension's empty channels are (0, 0, 0, 0), where a browser's are (0, 0, 0, 1).
     if (this.project.quirks)
-      for (const kind of [gl.TEXTURE_2D, gl.TEXTURE_CUBE_MAP, gl.TEXTURE_3D]) this.blanks.set(kind, makeBlank(gl, kind));
+      for (const kind of [gl.TEXTURE_2D, gl.TEXTURE_CUBE_MAP, gl.TEXTURE_3D]) this.blanks.set(kind, makeBlank(gl, kind, 1, 1));
     return [];
   }
 
@@ -124,8 +125,13 @@ class Renderer {
     else if (kind === 'music' || kind === 'microphone' || input.kind === 'video' || input.kind === 'webcam')
       input.source = await this.startMedium(input, kind);
     else if (input.media.length > 0) input.source = await uploadPicture(gl, input, project.media);
-    // A buffer that is not there reads as one that was never drawn.
-    else if (kind === 'buffer' && input.kind === 'none') input.source = makeTable(gl, 1, 1);
+    else if (kind === 'missing buffer' || kind === 'missing cubemap pass') input.source = this.undrawnPass(kind);
+  }
+
+  // A pass that is not there reads as one that was never drawn.
+  undrawnPass(kind) {
+    if (!this.undrawn.has(kind)) this.undrawn.set(kind, { target: kind === 'missing buffer' ? this.gl.TEXTURE_2D : this.gl.TEXTURE_CUBE_MAP });
+    return this.undrawn.get(kind);
   }
 
   // What moves plays once, whatever number of channels reads it.
@@ -146,6 +152,11 @@ class Renderer {
     const { gl, canvas } = this;
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
+    for (const source of this.undrawn.values()) {
+      const size = source.target === this.gl.TEXTURE_CUBE_MAP ? [cubeSize, cubeSize] : [width, height];
+      this.gl.deleteTexture(source.texture);
+      Object.assign(source, { texture: makeBlank(this.gl, source.target, ...size), size: [...size, 1] });
+    }
     for (const { target, targets, index } of this.passes.filter((pass) => pass.target)) {
       const cube = target.kind === gl.TEXTURE_CUBE_MAP;
       if (cube && target.size) continue;

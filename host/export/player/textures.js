@@ -90,11 +90,11 @@ function makeTable(gl, width, height) {
   };
 }
 
-// One texel of nothing.
-function makeBlank(gl, target) {
+// Texels of nothing.
+function makeBlank(gl, target, width, height) {
   const texture = gl.createTexture();
   gl.bindTexture(target, texture);
-  if (target === gl.TEXTURE_3D) gl.texStorage3D(target, 1, gl.RGBA8, 1, 1, 1);
-  else gl.texStorage2D(target, 1, gl.RGBA8, 1, 1);
+  if (target === gl.TEXTURE_3D) gl.texStorage3D(target, 1, gl.RGBA8, width, height, 1);
+  else gl.texStorage2D(target, 1, gl.RGBA8, width, height);
   return texture;
 }
