@@ -1,0 +1,1 @@
+void mainImage(out vec4 O,vec2 U){vec3 p=vec3(0,0,-3),r=normalize(vec3(U+U-iResolution.xy,iResolution.y)),q;float i=0.,d=1.;for(;i++<40.&&d>.001;p+=r*d)q=abs(p)-.7,d=length(max(q,0.))-.2;O=vec4(vec3(exp(-.06*i)),1);}

@@ -1,0 +1,1 @@
+void mainImage(out vec4 O,vec2 U){vec2 z=U/iResolution.y*2.-vec2(2.2,1),c=z;int n=0;while(true){if(n++>30||dot(z,z)>4.)break;z=vec2(z.x*z.x-z.y*z.y,2.*z.x*z.y)+c;}O=vec4(n%2,n%3,n%5,1)/vec4(1,2,4,1);}

@@ -1,0 +1,1 @@
+void mainImage(out vec4 color, in vec2 p) { color = texelFetch(iChannel0, ivec2(p), 0) * vec4(1.0, 0.5, 1.0, 1.0); }

@@ -1,0 +1,1 @@
+void mainImage(out vec4 color, in vec2 p) { color = vec4(1.0 - texelFetch(iChannel0, ivec2(p), 0).rgb, 1.0); }
