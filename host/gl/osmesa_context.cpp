@@ -1,7 +1,5 @@
 #include "host/gl/osmesa_context.h"
 
-#include <GL/osmesa.h>
-
 #include <array>
 #include <cstdint>
 
@@ -11,21 +9,29 @@ namespace shadertwin::gl {
 
 namespace {
 
+// What the library's own header says, which Mesa has no more from version 25.1 on.
+using OsmesaHandle = struct osmesa_context*;
+constexpr int osmesa_format = 0x22;
+constexpr int osmesa_profile = 0x33;
+constexpr int osmesa_core_profile = 0x34;
+constexpr int osmesa_context_major_version = 0x36;
+constexpr int osmesa_context_minor_version = 0x37;
+
 class OsmesaContext final : public Context {
  public:
   OsmesaContext()
       : library_("libOSMesa.so.8"),
-        create_(library_.get<decltype(&OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs")),
-        destroy_(library_.get<decltype(&OSMesaDestroyContext)>("OSMesaDestroyContext")),
-        make_current_(library_.get<decltype(&OSMesaMakeCurrent)>("OSMesaMakeCurrent")),
-        get_proc_address_(library_.get<decltype(&OSMesaGetProcAddress)>("OSMesaGetProcAddress")) {
-    const std::array attributes = {OSMESA_FORMAT,
-                                   OSMESA_RGBA,
-                                   OSMESA_PROFILE,
-                                   OSMESA_CORE_PROFILE,
-                                   OSMESA_CONTEXT_MAJOR_VERSION,
+        create_(library_.get<decltype(create_)>("OSMesaCreateContextAttribs")),
+        destroy_(library_.get<decltype(destroy_)>("OSMesaDestroyContext")),
+        make_current_(library_.get<decltype(make_current_)>("OSMesaMakeCurrent")),
+        get_proc_address_(library_.get<decltype(get_proc_address_)>("OSMesaGetProcAddress")) {
+    const std::array attributes = {osmesa_format,
+                                   GL_RGBA,
+                                   osmesa_profile,
+                                   osmesa_core_profile,
+                                   osmesa_context_major_version,
                                    4,
-                                   OSMESA_CONTEXT_MINOR_VERSION,
+                                   osmesa_context_minor_version,
                                    5,
                                    0};
     context_ = create_(attributes.data(), nullptr);
@@ -45,11 +51,11 @@ class OsmesaContext final : public Context {
   void unbind() override { make_current_(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0); }
 
   Library library_;
-  decltype(&OSMesaCreateContextAttribs) create_;
-  decltype(&OSMesaDestroyContext) destroy_;
-  decltype(&OSMesaMakeCurrent) make_current_;
-  decltype(&OSMesaGetProcAddress) get_proc_address_;
-  OSMesaContext context_ = nullptr;
+  OsmesaHandle (*create_)(const int* attributes, OsmesaHandle share);
+  void (*destroy_)(OsmesaHandle context);
+  GLboolean (*make_current_)(OsmesaHandle context, void* pixels, GLenum type, GLsizei width, GLsizei height);
+  void (*(*get_proc_address_)(const char* name))();
+  OsmesaHandle context_ = nullptr;
   std::array<std::uint32_t, 1>
       pixel_{};  // the window that OSMesa asks for; all drawing goes to framebuffer objects
 };

@@ -1,4 +1,5 @@
-// Mesa's off-screen software renderer: needs neither EGL nor a device.
+// Mesa's off-screen software renderer: needs neither EGL nor a device. Mesa has it up to version 25.0;
+// neither building nor anything else needs it.
 #pragma once
 
 #include <memory>

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "tests/scratch_folder.h"
+#include "tests/skip.h"
 
 namespace shadertwin {
 

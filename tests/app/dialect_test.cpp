@@ -23,7 +23,7 @@ TEST(FirstPerson, KeysAndADragFlyTheSameWayEveryTime) {
   const std::string command =
       "render fly.glsl --size 2x2 --frames 11 --keys w --mouse 1,1,down@5 --mouse 2,1,down@6 -o ";
   ASSERT_EQ(run(folder, command + "a.exr").err, "");
-  ASSERT_EQ(run(folder, command + "b.exr --on osmesa").err, "");
+  ASSERT_EQ(run(folder, command + "b.exr --on cpu").err, "");
   const Image image = read_image(folder / "a.exr");
   EXPECT_EQ(image.rgba, read_image(folder / "b.exr").rgba);
   EXPECT_NEAR(pixel(image, 0, 0).z, 1.1F, 0.01F)

@@ -44,7 +44,7 @@ class Keys : public testing::Test {
 };
 
 TEST_F(Keys, AreHeldPressedAndToggledInRedAloneOnTheSite) {
-  for (const std::string on : {"llvmpipe/fragment", "llvmpipe/compute", "osmesa", "cpu"}) {
+  for (const std::string& on : with_osmesa({"llvmpipe/fragment", "llvmpipe/compute", "cpu"})) {
     const Image image = played("tabs --pass 'Buffer A'", on);
     EXPECT_EQ(row(image, 0, 0), "01100001") << on << ": held";
     EXPECT_EQ(row(image, 1, 0), "01000001") << on << ": pressed; a tap between two frames does not show";
@@ -58,7 +58,7 @@ TEST_F(Keys, AreHeldPressedAndToggledInRedAloneOnTheSite) {
 }
 
 TEST_F(Keys, AreGreyInTheExtensionWithARowOfReleases) {
-  for (const std::string on : {"llvmpipe/fragment", "llvmpipe/compute", "osmesa", "cpu"}) {
+  for (const std::string& on : with_osmesa({"llvmpipe/fragment", "llvmpipe/compute", "cpu"})) {
     const Image image = played("file.glsl", on);
     for (const int channel : {0, 1, 2}) {
       EXPECT_EQ(row(image, 0, channel), "01100001") << on << ": held";

@@ -40,11 +40,15 @@ class SoundCommand : public testing::Test {
 
 TEST_F(SoundCommand, DevicesAndTheTwinPlayTheSameBits) {
   ASSERT_EQ(run(folder, "render toy --on llvmpipe --duration 0.5 -o a.wav").err, "");
-  ASSERT_EQ(run(folder, "render toy --on osmesa --duration 0.5 -o b.wav").err, "");
+  if (has_osmesa()) {
+    ASSERT_EQ(run(folder, "render toy --on osmesa --duration 0.5 -o b.wav").err, "");
+  }
   ASSERT_EQ(run(folder, "render toy --on cpu --duration 0.5 -o c.wav").err, "");
   const std::string expected = contents(folder / "a.wav");
   EXPECT_EQ(samples(folder / "a.wav").size(), std::size_t{22050} * 2 * sizeof(float));
-  EXPECT_TRUE(contents(folder / "b.wav") == expected);
+  if (has_osmesa()) {
+    EXPECT_TRUE(contents(folder / "b.wav") == expected);
+  }
   EXPECT_TRUE(contents(folder / "c.wav") == expected);
 }
 

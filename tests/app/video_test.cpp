@@ -142,7 +142,7 @@ TEST(VideoInput, IsTheSameForOpenGlAndTheTwin) {
       "#iChannel0 \"a.mp4\"\n#iChannel0::MinFilter \"LinearMipMapLinear\"\n"
       "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p / iResolution.xy * 3.); }\n");
   const Outcome outcome =
-      run(folder, "compare show.glsl --on osmesa --on cpu --size 32x32 --frames 11 --fps 8 --json r.json");
+      run(folder, "compare show.glsl --on llvmpipe --on cpu --size 32x32 --frames 11 --fps 8 --json r.json");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_NE(outcome.out.find("r   100.0000 %"), std::string::npos) << outcome.out;

@@ -10,6 +10,7 @@
 #include "host/gl/textures.h"
 #include "host/player/fixed_clock.h"
 #include "host/text/load.h"
+#include "tests/bench/device.h"
 #include "tests/scratch_folder.h"
 
 namespace shadertwin {
@@ -71,6 +72,7 @@ class BareGl {
 };
 
 void bare_draw(benchmark::State& state, const char* device) {
+  if (skips(state, device)) return;
   BareGl bare(device);
   int index = 0;
   for ([[maybe_unused]] auto _ : state) {
@@ -80,6 +82,7 @@ void bare_draw(benchmark::State& state, const char* device) {
 }
 
 void bare_draw_and_read(benchmark::State& state, const char* device) {
+  if (skips(state, device)) return;
   BareGl bare(device);
   Image image(size.x, size.y);
   int index = 0;
@@ -108,6 +111,7 @@ class Playing {
 };
 
 void player_draw(benchmark::State& state, const char* device) {
+  if (skips(state, device)) return;
   Playing playing(device, trivial_project());
   for ([[maybe_unused]] auto _ : state) {
     playing.draw();
@@ -116,6 +120,7 @@ void player_draw(benchmark::State& state, const char* device) {
 }
 
 void player_draw_and_read(benchmark::State& state, const char* device) {
+  if (skips(state, device)) return;
   Playing playing(device, trivial_project());
   for ([[maybe_unused]] auto _ : state) {
     playing.draw();
@@ -124,6 +129,7 @@ void player_draw_and_read(benchmark::State& state, const char* device) {
 }
 
 void scene_0(benchmark::State& state, const char* device) {
+  if (skips(state, device)) return;
   Playing playing(device, load_project(SHADERTWIN_SOURCE_DIR "/shadertoy/image.glsl"));
   for ([[maybe_unused]] auto _ : state) {
     playing.draw();

@@ -11,6 +11,7 @@
 #include "host/gl/program.h"
 #include "host/image/image.h"
 #include "host/text/load.h"
+#include "tests/bench/device.h"
 #include "tests/scratch_folder.h"
 
 namespace shadertwin {
@@ -101,6 +102,7 @@ void process(benchmark::State& state) {
 }
 
 void start(benchmark::State& state, const char* device) {
+  if (skips(state, device)) return;
   const SixPasses project;
   for ([[maybe_unused]] auto _ : state) {
     const auto player = gl::make_player(gl::open_context(device), project.load(), {gl::Dispatch::fragment});
@@ -109,6 +111,7 @@ void start(benchmark::State& state, const char* device) {
 }
 
 void compile(benchmark::State& state, const char* device) {
+  if (skips(state, device)) return;
   const Project project = SixPasses().load();
   for ([[maybe_unused]] auto _ : state) {
     state.PauseTiming();

@@ -9,6 +9,7 @@
 #include "host/gl/gl_device.h"
 #include "host/player/fixed_clock.h"
 #include "tests/scratch_folder.h"
+#include "tests/skip.h"
 
 namespace shadertwin {
 
@@ -29,6 +30,10 @@ inline std::string device_name(const testing::TestParamInfo<TestDevice>& info) {
 // Every test of this suite runs on EGL and OSMesa, as fragments and as compute.
 class OnEveryDevice : public testing::TestWithParam<TestDevice> {
  protected:
+  void SetUp() override {
+    if (GetParam().name == "osmesa") SHADERTWIN_NEEDS_OSMESA();
+  }
+
   std::unique_ptr<Player> play(const Project& project) const {
     return gl::make_player(gl::open_context(GetParam().name), project, {GetParam().dispatch});
   }

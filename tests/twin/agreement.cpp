@@ -9,6 +9,7 @@
 #include "host/player/fixed_clock.h"
 #include "host/text/pipeline.h"
 #include "reference/twin/twin_device.h"
+#include "tests/skip.h"
 
 namespace shadertwin {
 namespace {
@@ -37,7 +38,7 @@ std::unique_ptr<Player> open_gl(const std::string& device, const Project& projec
 
 std::vector<Runner> runners(const Project& project, const AgreementOptions& options, Silent& silent) {
   std::vector<Runner> list = {{"llvmpipe", [&] { return open_gl("llvmpipe", project); }}};
-  if (options.osmesa) list.push_back({"osmesa", [&] { return open_gl("osmesa", project); }});
+  if (options.osmesa && has_osmesa()) list.push_back({"osmesa", [&] { return open_gl("osmesa", project); }});
   const auto twin = [&](const std::string& name, const twin::TwinOptions& how) {
     list.push_back({name, [&project, how] { return twin::make_player(project, how); }});
   };

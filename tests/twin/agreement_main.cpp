@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
       "WxH (20x12)");
   app.add_option("--frames", options.frames, "frames (2)");
   app.add_option("--tolerance", options.tolerance, "relative, or absolute below 1 (0)");
-  app.add_flag("--osmesa", options.osmesa, "OSMesa too");
+  app.add_flag("--osmesa", options.osmesa, "OSMesa too, if it is there");
   bool packets_only = false;
   app.add_flag("--packets-only", packets_only, "of the twins only the one of eight pixels");
   bool gl_only = false;

@@ -12,11 +12,16 @@
 #include "host/gl/gl_device.h"
 #include "reference/twin/twin_device.h"
 #include "tests/scratch_folder.h"
+#include "tests/skip.h"
 
 namespace shadertwin {
 
 class OnEveryPlayer : public testing::TestWithParam<std::string> {
  protected:
+  void SetUp() override {
+    if (GetParam().starts_with("osmesa")) SHADERTWIN_NEEDS_OSMESA();
+  }
+
   static std::unique_ptr<Player> play(const Project& project) {
     const std::string& name = GetParam();
     if (name.starts_with("cpu")) {

@@ -263,12 +263,12 @@ void mainImage(out vec4 c, in vec2 p) { c = vec4(speed, tint); }
 TEST_F(Hand, OtherPlayersShowInTheWindow) {
   folder.write("time.glsl",
                "void mainImage(out vec4 c, in vec2 p) { c = vec4(p / 99., fract(iTime * 1.7), 1); }\n");
-  RunningView view(screen, folder, "time.glsl --size 64x36 --fixed --paused --on osmesa");
+  RunningView view(screen, folder, "time.glsl --size 64x36 --fixed --paused --on cpu");
   ASSERT_TRUE(view.running()) << view.err();
   view.step(2);
   const auto shot = view.shoot();
   EXPECT_EQ(shot.frame, 2);
-  ASSERT_EQ(render("time.glsl --size 64x36 --frames 3 --on osmesa", "a.exr"), "");
+  ASSERT_EQ(render("time.glsl --size 64x36 --frames 3 --on cpu", "a.exr"), "");
   EXPECT_EQ(shot.image.rgba, read_image(folder / "a.exr").rgba);
   EXPECT_EQ(view.quit(), 0);
 }

@@ -10,6 +10,7 @@
 
 #include "host/image/image.h"
 #include "tests/scratch_folder.h"
+#include "tests/skip.h"
 
 namespace shadertwin {
 

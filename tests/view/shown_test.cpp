@@ -30,7 +30,7 @@ TEST_F(Shown, EightBitValuesAreThoseValuesOnTheScreen) {
       "#iChannel0 \"grey.png\"\n#iChannel0::MinFilter \"Nearest\"\n#iChannel0::MagFilter \"Nearest\"\n"
       "void mainImage(out vec4 c, in vec2 p) {\n"
       "  c = p.y < 40. ? texelFetch(iChannel0, ivec2(p.x, 0), 0) : vec4(floor(p.x) / 255.);\n}\n");
-  for (const std::string on : {"", " --on osmesa"}) {
+  for (const std::string on : {"", " --on cpu"}) {
     RunningView view(screen, folder, "grey.glsl --size 256x80 --paused" + on);
     ASSERT_TRUE(view.running()) << view.err();
     view.shoot();
