@@ -7,6 +7,7 @@
 #include <set>
 
 #include "host/base/error.h"
+#include "host/text/define_operations.h"
 #include "host/text/loop_range.h"
 #include "host/text/render.h"
 #include "host/text/resolve_macros.h"
@@ -53,17 +54,6 @@ class DefinedText {
   DefinedText(const std::vector<PlainToken>& tokens, const Declarations& declarations)
       : tokens_(tokens), declarations_(declarations), values_(tokens, declarations), edits_(tokens) {}
 
-  // Whether some index may be no constant, so that the types of what is indexed are needed.
-  bool needs_types() const {
-    for (const FunctionBody& function : declarations_.functions()) {
-      for (int i = function.open; i < function.close; ++i) {
-        if (text(i) == "[" && text(i + 1) != "]" && (text(i + 2) != "]" || is_identifier(text(i + 1))))
-          return true;
-      }
-    }
-    return false;
-  }
-
   void define_variables() {
     for (const Variable& variable : declarations_.variables()) {
       const bool stored = variable.place != Variable::Place::parameter && !variable.is_const &&
@@ -103,7 +93,7 @@ class DefinedText {
     }
   }
 
-  const RewrittenLines& edits() const { return edits_; }
+  RewrittenLines& edits() { return edits_; }
 
  private:
   const std::string& text(int token) const {
@@ -186,14 +176,18 @@ class DefinedText {
   std::vector<const Variable*> globals_;
 };
 
-Choices find_choices(const Project& project, const PassSource& source) {
+Choices find_choices(const SyntaxTree& tree) {
+  ChoiceFinder finder(tree);
+  const_cast<glslang::TIntermAggregate&>(tree.root()).traverse(&finder);
+  return finder.choices;
+}
+
+// Nothing if the parser refuses what the driver may take.
+std::optional<SyntaxTree> parsed(const Project& project, const PassSource& source) {
   try {
-    const SyntaxTree tree(project, source, Folding::float32);
-    ChoiceFinder finder(tree);
-    const_cast<glslang::TIntermAggregate&>(tree.root()).traverse(&finder);
-    return finder.choices;
+    return std::make_optional<SyntaxTree>(project, source, Folding::float32);
   } catch (const Error&) {
-    return {};  // the parser refuses what the driver may take
+    return std::nullopt;
   }
 }
 
@@ -202,7 +196,8 @@ Choices find_choices(const Project& project, const PassSource& source) {
 std::optional<PassSource> define_undefined(const Project& project, const PassSource& source) {
   try {
     throw_if_refused(source);
-    const std::vector<PlainToken> tokens = split_tokens(render(source));
+    const std::optional<SyntaxTree> tree = parsed(project, source);
+    const std::vector<PlainToken> tokens = tree ? tree->tokens() : split_tokens(render(source));
     const Declarations declarations(tokens);
     DefinedText text(tokens, declarations);
     text.define_variables();
@@ -212,10 +207,15 @@ std::optional<PassSource> define_undefined(const Project& project, const PassSou
           return tokens[f.name].text == "main" && sections.in_body(tokens[f.name].line);
         });
     text.define_functions(own_main);
-    const Choices choices = text.needs_types() ? find_choices(project, source) : Choices();
-    text.clamp_indices(choices);
+    std::string functions;
+    if (tree) {
+      const Choices choices = find_choices(*tree);
+      text.clamp_indices(choices);
+      functions = define_operations(*tree, text.edits());
+      if (!choices.empty()) functions += clamp_functions;
+    }
     PassSource result = sections.split(text.edits().lines(sections.all()));
-    if (!choices.empty()) result.helpers += clamp_functions;
+    result.helpers += functions;
     return result;
   } catch (const Error&) {
     return std::nullopt;

@@ -25,7 +25,8 @@ std::vector<std::string> RewrittenLines::lines(int count) const {
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     std::string& line = lines[static_cast<std::size_t>(std::clamp(tokens[i].line, 1, count) - 1)];
     if (!line.empty()) line += ' ';
-    line += before[i] + tokens[i].text + after[i];
+    const auto other = instead.find(static_cast<int>(i));
+    line += before[i] + (other == instead.end() ? tokens[i].text : other->second) + after[i];
   }
   return lines;
 }
@@ -39,6 +40,9 @@ SectionLines::SectionLines(const PassSource& source)
 
 PassSource SectionLines::split(const std::vector<std::string>& lines) const {
   PassSource result = source_;
+  // render() writes the helpers behind two statements on the second line.
+  const std::string& helpers = lines.at(1);
+  result.helpers = helpers.substr(helpers.find(';', helpers.find(';') + 1) + 1);
   result.head = joined(lines, front_, head_);
   result.body = joined(lines, front_ + head_, body_);
   result.tail = joined(lines, front_ + head_ + body_, tail_);

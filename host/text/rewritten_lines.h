@@ -1,6 +1,7 @@
-// A shader's tokens as lines again, with something put before or behind some of them.
+// A shader's tokens as lines again, with something put before, behind or instead of some of them.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct RewrittenLines {
 
   std::vector<std::string> before;  // in front of the token of that number
   std::vector<std::string> after;
+  std::map<int, std::string> instead;
   const std::vector<PlainToken>& tokens;
 };
 
@@ -30,7 +32,7 @@ class SectionLines {
   bool in_body(int line) const {  // from 1
     return line > front_ + head_ && line <= front_ + head_ + body_;
   }
-  // What stands in front of the head is render()'s, and is left out.
+  // Of what stands in front of the head, which is render()'s, the helpers are kept.
   PassSource split(const std::vector<std::string>& lines) const;
 
  private:

@@ -45,10 +45,11 @@ template <class F>
 SHADERTWIN_INLINE F fract_of(F x) {
   return x - round_down(x);
 }
+// By zero: x.
 template <class F>
 SHADERTWIN_INLINE F mod_of(F x, F y) {
   SHADERTWIN_PROBE(y == 0.0F, mod_by_zero);
-  return x - y * round_down(x / y);
+  return select__(y == 0.0F, x, x - y * round_down(x / y));
 }
 template <class F>
 SHADERTWIN_INLINE F modf_of(F x, F& whole) {
@@ -92,11 +93,13 @@ template <class F>
 SHADERTWIN_INLINE F step_of(F edge, F x) {
   return select__(x >= edge, constant<F>(1), constant<F>(0));
 }
+// Of equal edges a step behind them.
 template <class F>
 SHADERTWIN_INLINE F smoothstep_of(F edge0, F edge1, F x) {
   SHADERTWIN_PROBE(edge0 >= edge1, smoothstep_crossed);
   const F t = min_of(max_of((x - edge0) / (edge1 - edge0), constant<F>(0)), constant<F>(1));
-  return t * (t * (3.0F - 2.0F * t));
+  const F at_once = select__(x > edge0, constant<F>(1), constant<F>(0));
+  return select__(edge0 == edge1, at_once, t * (t * (3.0F - 2.0F * t)));
 }
 
 // --- Classification and bits ------------------------------------------------

@@ -96,16 +96,18 @@ SHADERTWIN_INLINE F log_of(F x) {
   return natural_logarithm(x);
 }
 
-// A NaN counts as equal to 0 here.
+// 1 for y = 0, whatever x is; 0 for the other powers of a NaN.
 template <class F>
 SHADERTWIN_INLINE F pow_of(F x, F y) {
   SHADERTWIN_PROBE(x < 0.0F, pow_negative_base);
   SHADERTWIN_PROBE(x == 0.0F && y <= 0.0F, pow_zero_base);
   if constexpr (uses_libm<F>) {
-    return x == 0.0 ? 0.0 : x > 0.0 ? std::pow(x, y) : nan;
+    return y == 0.0 || x == 0.0 ? std::pow(std::fabs(x), y) : x > 0.0 ? std::pow(x, y) : nan;
   } else {
     const F power = exp2_of(binary_logarithm(x) * y);
-    return select__((x < 0.0F) | (x > 0.0F), power, constant<F>(0.0F));
+    const F of_zero = select__(y < 0.0F, constant<F>(infinity), constant<F>(0.0F));
+    const F of_others = select__((x < 0.0F) | (x > 0.0F), power, constant<F>(0.0F));
+    return select__(y == 0.0F, constant<F>(1.0F), select__(x == 0.0F, of_zero, of_others));
   }
 }
 

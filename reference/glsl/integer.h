@@ -8,16 +8,16 @@ namespace shadertwin::glsl::inline SHADERTWIN_PRECISION::detail {
 
 // --- Division: of int and uint; packets go lane by lane ---------------------
 
-// By zero: 0 for int, all bits set for uint, as llvmpipe has it. INT_MIN / -1 is INT_MIN.
+// By zero: all bits set. INT_MIN / -1 is INT_MIN.
 template <class I>
 SHADERTWIN_INLINE I divide_of(I a, I b) {
   constexpr bool is_signed = std::is_signed_v<I>;
   SHADERTWIN_PROBE(b == 0, integer_division_by_zero);
   SHADERTWIN_PROBE(is_signed && a == std::numeric_limits<I>::min() && b == I(-1), integer_division_overflow);
-  if (b == 0) return is_signed ? I(0) : I(-1);
+  if (b == 0) return I(-1);
   return is_signed && b == I(-1) ? -a : a / b;
 }
-// By zero: all bits set.
+// By zero: all bits set. Otherwise with the sign of a.
 template <class I>
 SHADERTWIN_INLINE I modulo_of(I a, I b) {
   SHADERTWIN_PROBE(b == 0, integer_division_by_zero);

@@ -22,12 +22,14 @@ SHADERTWIN_INLINE To convert(const From& x) {
     return select__(x, To(Scalar(1)), To(Scalar(0)));
   } else if constexpr (std::is_same_v<From, Float>) {
 #ifdef __AVX__
+    // The instruction gives 0x80000000 for what is too large, and for a NaN.
     if constexpr (std::is_same_v<To, Int>)
-      return Int(reinterpret_cast<detail::int8>(_mm256_cvttps_epi32(x.v)));
+      return Int((reinterpret_cast<detail::int8>(_mm256_cvttps_epi32(x.v)) ^ (x.v >= 2147483648.0F)) &
+                 (x.v == x.v));
 #endif
 #if defined(__AVX512VL__) && defined(__AVX512DQ__)
     if constexpr (std::is_same_v<To, Uint>)
-      return Uint(reinterpret_cast<detail::uint8>(_mm256_cvttps_epu32(x.v)));
+      return Uint(reinterpret_cast<detail::uint8>(_mm256_cvttps_epu32(_mm256_max_ps(x.v, detail::float8{}))));
 #endif
     return every_lane__([&](int i) { return detail::convert<Scalar>(x.v[i]); });
   } else if constexpr (std::is_same_v<To, Float>) {

@@ -116,12 +116,12 @@ SHADERTWIN_OUTLINE F atan_of(F y_over_x) {
   }
 }
 
-// The left half-plane is turned by pi/2, so that no division by zero lies along x = 0.
+// The left half-plane is turned by pi/2, so that no division by zero lies along x = 0. Of two zeros: 0.
 template <class F>
 SHADERTWIN_OUTLINE F atan_of(F y, F x) {
   SHADERTWIN_PROBE(x == 0.0F && y == 0.0F, atan_of_zeros);
   if constexpr (uses_libm<F>) {
-    return std::atan2(y, x);
+    return x == 0.0 && y == 0.0 ? 0.0 : std::atan2(y, x);
   } else {
     const auto flip = x <= 0.0F;
     const F s = select__(flip, magnitude_of(x), y);
@@ -131,7 +131,8 @@ SHADERTWIN_OUTLINE F atan_of(F y, F x) {
     const F s_over_t = (s * scale) * reciprocal;
     const F tangent = select__(magnitude_of(x) == magnitude_of(y), constant<F>(1.0F), magnitude_of(s_over_t));
     const F arc = select__(flip, constant<F>(half_pi), constant<F>(0.0F)) + atan_of(tangent);
-    return select__((y < 0.0F) | (reciprocal < 0.0F), -arc, arc);
+    const F angle = select__((y < 0.0F) | (reciprocal < 0.0F), -arc, arc);
+    return select__(x == 0.0F, select__(y == 0.0F, constant<F>(0.0F), angle), angle);
   }
 }
 

@@ -207,35 +207,20 @@ SHADERTWIN_INLINE __m128 lane(float x) {
 }
 #endif
 
-// x86's conversion instructions, as llvmpipe uses them: what the target can't hold gives 0x80000000 for int,
-// and for uint the same or 0xffffffff, by processor. Other processors saturate, and make NaN 0.
-SHADERTWIN_INLINE int float_to_int(float x) {
-  SHADERTWIN_PROBE(!(x > -2147483904.0F && x < 2147483648.0F), conversion_out_of_range);
-#if defined(__SSE2__)
-  return _mm_cvttss_si32(lane(x));
-#else
-  return x != x ? 0 : x <= -2147483648.0F ? INT32_MIN : x >= 2147483648.0F ? INT32_MAX : static_cast<int>(x);
-#endif
+// The nearest that the target holds; 0 for a NaN.
+template <class F>
+SHADERTWIN_INLINE int float_to_int(F x) {
+  [[maybe_unused]] constexpr F below = sizeof(F) == 4 ? -2147483904.0 : -2147483649.0;
+  SHADERTWIN_PROBE(!(x > below && x < F(2147483648.0)), conversion_out_of_range);
+  return x != x                  ? 0
+         : x <= F(-2147483648.0) ? INT32_MIN
+         : x >= F(2147483648.0)  ? INT32_MAX
+                                 : static_cast<int>(x);
 }
-SHADERTWIN_INLINE uint float_to_uint(float x) {
-  SHADERTWIN_PROBE(!(x > -1.0F && x < 4294967296.0F), conversion_out_of_range);
-#if defined(__AVX512VL__) && defined(__AVX512DQ__)
-  return _mm_cvttss_u32(lane(x));
-#elif defined(__SSE2__)
-  const uint low = static_cast<uint>(_mm_cvttss_si32(lane(x)));
-  const uint high = static_cast<uint>(_mm_cvttss_si32(lane(x - 2147483648.0F)));
-  return low | (high & static_cast<uint>(static_cast<int>(low) >> 31));
-#else
-  return !(x > 0.0F) ? 0U : x >= 4294967296.0F ? UINT32_MAX : static_cast<uint>(x);
-#endif
-}
-SHADERTWIN_INLINE int float_to_int(double x) {
-  SHADERTWIN_PROBE(!(x > -2147483649.0 && x < 2147483648.0), conversion_out_of_range);
-  return x > -2147483649.0 && x < 2147483648.0 ? static_cast<int>(x) : INT32_MIN;
-}
-SHADERTWIN_INLINE uint float_to_uint(double x) {
-  SHADERTWIN_PROBE(!(x > -1.0 && x < 4294967296.0), conversion_out_of_range);
-  return x > -1.0 && x < 4294967296.0 ? static_cast<uint>(x) : UINT32_MAX;
+template <class F>
+SHADERTWIN_INLINE uint float_to_uint(F x) {
+  SHADERTWIN_PROBE(!(x > F(-1) && x < F(4294967296.0)), conversion_out_of_range);
+  return !(x > F(0)) ? 0U : x >= F(4294967296.0) ? UINT32_MAX : static_cast<uint>(x);
 }
 
 template <class To, class From>

@@ -23,8 +23,12 @@ TEST(Doubles, KeepTheirPrecision) {
 // Where GLSL leaves a result open, as the float built-ins have it.
 TEST(Doubles, HaveTheDomainsOfFloats) {
   EXPECT_TRUE(isnan(pow(-2.0, 2.0)));
-  EXPECT_EQ(pow(0.0, 0.0), 0.0);
-  EXPECT_EQ(pow(0.0, -1.0), 0.0);
+  EXPECT_EQ(pow(0.0, 0.0), 1.0);
+  EXPECT_EQ(pow(0.0, -1.0), detail::infinity);
+  EXPECT_EQ(mod(1.5, 0.0), 1.5);
+  EXPECT_EQ(atan(0.0, -0.0), 0.0);
+  EXPECT_EQ(make<int>(3e9), 2147483647);
+  EXPECT_EQ(make<uint>(-4.5), 0U);
   EXPECT_EQ(max(detail::nan, 0.0), 0.0);
   EXPECT_EQ(min(1.0, detail::nan), 1.0);
   EXPECT_EQ(clamp(detail::nan, 2.0, 3.0), 2.0);

@@ -2,6 +2,9 @@
 
 #include <stdexcept>
 
+#include "host/text/define_undefined.h"
+#include "host/text/render.h"
+
 namespace shadertwin::glsl {
 
 namespace {
@@ -9,14 +12,13 @@ namespace {
 const char* const vertex_shader = R"(#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); })";
 
-const char* const fragment_head = R"(#version 300 es
-precision highp float;
-precision highp int;
-precision highp sampler2D;
-precision highp sampler3D;
-precision highp samplerCube;
-out vec4 color;
-)";
+// With everything defined that GLSL leaves undefined, as players have it.
+std::string fragment_shader(const std::string& shader) {
+  PassSource source;
+  source.body = shader;
+  source.tail = "void main() { mainImage(shadertoy_out_color, gl_FragCoord.xy); }\n";
+  return render(define_undefined({}, source).value());
+}
 
 void attach(const gl::Functions& gl, GLuint program, GLenum kind, const std::string& source) {
   const GLuint shader = gl.CreateShader(kind);
@@ -54,8 +56,7 @@ Image GlDraw::operator()(const std::string& shader, int width, int height) {
   const gl::Functions& gl = context_->functions();
   const GLuint program = gl.CreateProgram();
   attach(gl, program, GL_VERTEX_SHADER, vertex_shader);
-  attach(gl, program, GL_FRAGMENT_SHADER,
-         fragment_head + shader + "void main() { mainImage(color, gl_FragCoord.xy); }\n");
+  attach(gl, program, GL_FRAGMENT_SHADER, fragment_shader(shader));
   gl.LinkProgram(program);
 
   const gl::VertexArrayObject vertices(gl);

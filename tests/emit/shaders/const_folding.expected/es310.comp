@@ -1,5 +1,5 @@
 #version 310 es
-precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
+precision highp float; precision highp int; int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; } int shadertwin_safe_modulo(int a, int b) { int d = b == 0 || b == -1 ? 1 : b, r = a - a / d * d; return b == 0 ? -1 : r; } int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(local_size_x = 8, local_size_y = 8) in; layout(rgba32f, binding = 7) writeonly uniform highp image2D shadertwin_target; uniform ivec2 shadertwin_origin; vec4 shadertwin_frag_coord; vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -42,10 +42,10 @@ float sizes [ n ] ; for (int shadertwin_i = 0; shadertwin_i < sizes.length(); ++
 sizes [ n - 1 ] = local ;
 color = vec4 ( c , d , e , sizes [ 4 ] ) ;
 if ( p . y > 3.0 ) color = vec4 ( w , flag ? dot ( v , w ) : 0.0 ) ;
-if ( p . y > 6.0 ) color = vec4 ( ( m * v ) . x , mm [ 1 ] [ 2 ] , float ( list [shadertwin_at(( int ( p . x ) % 3 ), 2)] ) , other ) ;
+if ( p . y > 6.0 ) color = vec4 ( ( m * v ) . x , mm [ 1 ] [ 2 ] , float ( list [shadertwin_at(( shadertwin_safe_modulo(int ( shadertwin_safe_int(p . x) ) , 3) ), 2)] ) , other ) ;
 if ( p . x > 4.0 && p . x < 11.0 ) {
 vec4 list [ 6 ] = vec4 [ 6 ] ( arcs , waves , hyperbolic , powers , others , bent + determinant ( mat2 ( 0.1 , 0.2 , 0.3 , 0.7 ) ) ) ;
-color = list [shadertwin_at(( int ( p . x ) % 6 ), 5)] ;
+color = list [shadertwin_at(( shadertwin_safe_modulo(int ( shadertwin_safe_int(p . x) ) , 6) ), 5)] ;
 }
 if ( p . x > 12.0 ) color = vec4 ( turned [ 2 ] . x + back [ 1 ] . y * p . x , size , p . x < infinite ? bits : - bits ) ;
 }

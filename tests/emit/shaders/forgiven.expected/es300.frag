@@ -1,5 +1,5 @@
 #version 300 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -46,7 +46,7 @@ void mainImage ( out vec4 c , vec2 p )
 { c = vec4(0);
 Segment s = Segment ( 2.0 , p ) ;
 s . shadertwin_length *= 1.0 + - 1.0 + shadertwin_step ;
-c = vec4 ( shadertwin_mix ( p , s . way , vec3 ( 1 , 2 , 3 ) ) , shadertwin_mix ( 1.0 , 2.0 , 0.5 ) * shadertwin_packed , choose ( int ( p . x ) ) + s . shadertwin_length ) ;
+c = vec4 ( shadertwin_mix ( p , s . way , vec3 ( 1 , 2 , 3 ) ) , shadertwin_mix ( 1.0 , 2.0 , 0.5 ) * shadertwin_packed , choose ( int ( shadertwin_safe_int(p . x) ) ) + s . shadertwin_length ) ;
 c . xyz += shadertwin_fma ( turned [ 1 ] , vec3 ( p , 1 ) , vec3 ( 0 ) ) ;
 }
 void main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

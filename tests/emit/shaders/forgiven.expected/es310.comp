@@ -1,5 +1,5 @@
 #version 310 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(local_size_x = 8, local_size_y = 8) in; layout(rgba32f, binding = 7) writeonly uniform highp image2D shadertwin_target; uniform ivec2 shadertwin_origin; vec4 shadertwin_frag_coord; vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -46,7 +46,7 @@ void mainImage ( out vec4 c , vec2 p )
 { c = vec4(0);
 Segment s = Segment ( 2.0 , p ) ;
 s . shadertwin_length *= 1.0 + - 1.0 + shadertwin_step ;
-c = vec4 ( shadertwin_mix ( p , s . way , vec3 ( 1 , 2 , 3 ) ) , shadertwin_mix ( 1.0 , 2.0 , 0.5 ) * shadertwin_packed , choose ( int ( p . x ) ) + s . shadertwin_length ) ;
+c = vec4 ( shadertwin_mix ( p , s . way , vec3 ( 1 , 2 , 3 ) ) , shadertwin_mix ( 1.0 , 2.0 , 0.5 ) * shadertwin_packed , choose ( int ( shadertwin_safe_int(p . x) ) ) + s . shadertwin_length ) ;
 c . xyz += shadertwin_fma ( turned [ 1 ] , vec3 ( p , 1 ) , vec3 ( 0 ) ) ;
 }
 void shadertwin_main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , shadertwin_frag_coord . xy ) ; shadertoy_out_color = shadertoy_color ; }

@@ -1,5 +1,5 @@
 #version 300 es
-precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
+precision highp float; precision highp int; int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; } int shadertwin_safe_modulo(int a, int b) { int d = b == 0 || b == -1 ? 1 : b, r = a - a / d * d; return b == 0 ? -1 : r; } int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -38,7 +38,7 @@ vec3 nv = n * p ; vec2 vn = nv * n ; mat2 nn = nt * n ;
 mat4 big = mat4 ( mat2 ( m ) ) ; big [ 3 ] = vec4 ( w , 1.0 ) ; mat3 small = mat3 ( big ) ; mat2 from = mat2 ( vec2 ( 1.0 , 2.0 ) , p ) ;
 mat2 mixed = mat2 ( p . x , vec2 ( 1.0 , 2.0 ) , 3.0 ) , product = matrixCompMult ( m , from ) , outer = outerProduct ( p , vec2 ( 1.0 , 2.0 ) ) ;
 mat2 quotient = m / 2.0 ; mat2 same = m ; same ++ ;
-int i = int ( p . x ) % 3 ;
+int i = shadertwin_safe_modulo(int ( shadertwin_safe_int(p . x) ) , 3) ;
 float det = determinant ( mat2 ( 2.0 , 1.0 , p . x , 3.0 ) ) ;
 mat2 inv = inverse ( mat2 ( 2.0 , 0.0 , 0.0 , 4.0 ) ) ;
 color = vec4 ( v , w . x + w . y , rr [shadertwin_at( i , 2)] . x ) ;

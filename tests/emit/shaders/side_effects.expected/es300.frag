@@ -1,5 +1,5 @@
 #version 300 es
-precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
+precision highp float; precision highp int; uint shadertwin_safe_uint(float x) { uint r = uint(x); return x >= 4294967296.0 ? 4294967295u : x > 0.0 ? r : 0u; } int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -36,7 +36,7 @@ list [shadertwin_at(( next ( ) ), 3)] += 5.0 ;
 list [shadertwin_at(( next ( ) ), 3)] = list [shadertwin_at(( next ( ) ), 3)] * 2.0 ;
 float t = take ( list , 3 ) * take ( list , 3 ) + take ( list , k & 3 ) ;
 float u = both ( list [ 0 ] , list [ 1 ] ) ;
-uint s = uint ( p . x ) * 17u + uint ( p . y ) ;
+uint s = uint ( shadertwin_safe_uint(p . x) ) * 17u + uint ( shadertwin_safe_uint(p . y) ) ;
 vec3 v = sample_ ( s ) + sample_ ( s ) * 2.0 - cross ( sample_ ( s ) , sample_ ( s ) ) ;
 vec2 w = p ;
 w [shadertwin_at(( next ( ) & 1 ), 1)] *= 3.0 ;

@@ -1,5 +1,5 @@
 #version 300 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -26,7 +26,7 @@ uniform sampler2D iKeyboard ;
 
 struct Inner { vec2 a ; float b [ 2 ] ; } ;
 struct Outer { Inner inner ; mat2 m ; int n ; bool flag ; } ;
-Outer make_outer ( float x ) { return Outer ( Inner ( vec2 ( x , 2.0 * x ) , float [ 2 ] ( x * 5.0 , x * 3.0 ) ) , mat2 ( x , 0.0 , 0.0 , x ) , int ( x * 10.0 ) , x > 0.5 ) ; }
+Outer make_outer ( float x ) { return Outer ( Inner ( vec2 ( x , 2.0 * x ) , float [ 2 ] ( x * 5.0 , x * 3.0 ) ) , mat2 ( x , 0.0 , 0.0 , x ) , int ( shadertwin_safe_int(x * 10.0) ) , x > 0.5 ) ; }
 void change ( inout Outer o , Inner from ) { o . inner = from ; o . inner . b [ 1 ] += 1.0 ; o . n ++ ; }
 Inner swapped ( Inner i ) { i . a = i . a . yx ; float t = i . b [ 0 ] ; i . b [ 0 ] = i . b [ 1 ] ; i . b [ 1 ] = t ; return i ; }
 struct Padded { uint a ; mat4 m ; float b [ 4 ] ; bvec4 c ; } ;

@@ -1,5 +1,5 @@
 #version 320 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; float shadertwin_safe_over ( precise float a , precise float b ) { precise bool shadertwin_test; precise float shadertwin_result; precise float r = a / b ; return (shadertwin_result = (b == 0.0 ? a * uintBitsToFloat ( floatBitsToUint ( b ) & 0x80000000u | 0x7f800000u ) : r)) ; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -31,7 +31,7 @@ void mainImage ( precise out vec4 O , precise vec2 U )
 { precise bool shadertwin_test; O = vec4 ( 0 ) ;
 precise vec2 u = ( U + U - iResolution . xy ) / iResolution . y , v = u * 0. ;
 O *= 0. ; precise float i = 0. , d = 1. , z = 0. ; precise vec3 q = vec3 ( 0 ) , p = vec3 ( 0 ) ;
-for ( O = vec4 ( 0 ) ; (shadertwin_test = (i ++ < 9.)) ; O += .1 / max ( d , .01 ) ) p = z * normalize ( vec3 ( u , 1 ) ) , p . z -= 2. , z += d = abs ( length ( p ) - 1. ) * .5 + .01 , q = p ;
+for ( O = vec4 ( 0 ) ; (shadertwin_test = (i ++ < 9.)) ; O += shadertwin_safe_over ( .1 , max ( d , .01 ) ) ) p = z * normalize ( vec3 ( u , 1 ) ) , p . z -= 2. , z += d = abs ( length ( p ) - 1. ) * .5 + .01 , q = p ;
 for ( precise int k = 0 ; (shadertwin_test = (k < 3)) ; k ++ , u *= r ( 1.1 ) , v += u ) ;
 precise int n = 7 ; n = ( n & 1 ) == 1 ? n * 3 + 1 : n / 2 , n -= 2 ;
 O . rg += v *= 0.25 ; ( O . b ) = float ( n ) + smoothstep ( 0.1 , 0.9 , u . x > 0. ? u . x : - u . x ) ;

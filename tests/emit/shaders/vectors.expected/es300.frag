@@ -1,5 +1,5 @@
 #version 300 es
-precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
+precision highp float; precision highp int; int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; } int shadertwin_safe_modulo(int a, int b) { int d = b == 0 || b == -1 ? 1 : b, r = a - a / d * d; return b == 0 ? -1 : r; } ivec3 shadertwin_safe_int(vec3 a) { return ivec3(shadertwin_safe_int(a.x), shadertwin_safe_int(a.y), shadertwin_safe_int(a.z)); } int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -36,12 +36,12 @@ vec3 a = v . xyz / 4.0 + 1.0 , b = 2.0 - a , c = - a * b ;
 c -= 0.5 ; c /= vec3 ( 1.0 , 2.0 , 4.0 ) ; c *= 3.0 ;
 bvec3 less = lessThan ( a , b ) , more = greaterThanEqual ( b , c ) ;
 bool every = all ( not ( less ) ) , some = any ( more ) , same = a == b , other = a . xy != b . xy ;
-int i = int ( p . x ) % 3 ;
+int i = shadertwin_safe_modulo(int ( shadertwin_safe_int(p . x) ) , 3) ;
 a [shadertwin_at( i , 2)] = 9.0 ; b [shadertwin_at(( 2 - i ), 2)] += 1.0 ;
 vec2 t = p . x > 4.0 ? a . zy : b . xx ;
 float s = vec3 ( 1.0 , 2.0 , 3.0 ) [shadertwin_at( i , 2)] ;
 v . x = v . y = t . x ;
 color = vec4 ( a . x + b . y + c . z , t . x - t . y , float ( every ) + 2.0 * float ( some ) + 4.0 * float ( same ) + 8.0 * float ( other ) , v . x + v . z + s ) ;
-if ( p . y > 4.0 ) color = vec4 ( equal ( a , b ) . x ? 1 : 2 , notEqual ( ivec2 ( a ) , ivec2 ( b ) ) . y ? 3 : 4 , mix ( a , b , less ) . x , v . w ) ;
+if ( p . y > 4.0 ) color = vec4 ( equal ( a , b ) . x ? 1 : 2 , notEqual ( ivec2 ( shadertwin_safe_int(a) ) , ivec2 ( shadertwin_safe_int(b) ) ) . y ? 3 : 4 , mix ( a , b , less ) . x , v . w ) ;
 }
 void main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

@@ -1,5 +1,5 @@
 #version 310 es
-precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
+precision highp float; precision highp int; int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; } int shadertwin_safe_modulo(int a, int b) { int d = b == 0 || b == -1 ? 1 : b, r = a - a / d * d; return b == 0 ? -1 : r; } int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(local_size_x = 8, local_size_y = 8) in; layout(rgba32f, binding = 7) writeonly uniform highp image2D shadertwin_target; uniform ivec2 shadertwin_origin; vec4 shadertwin_frag_coord; vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -25,7 +25,7 @@ float wave ( float t , float hertz ) { return sin ( 6.2831853 * hertz * t ) ; }
 
 void mainImage ( out vec4 c , in vec2 p ) { c = vec4(0);
 float levels [ 3 ] = float[3](0.0, 0.0, 0.0) ;
-levels [shadertwin_at(( int ( p . x ) % 3 ), 2)] = texture ( iChannel0 , p / iResolution . xy ) . x ;
+levels [shadertwin_at(( shadertwin_safe_modulo(int ( shadertwin_safe_int(p . x) ) , 3) ), 2)] = texture ( iChannel0 , p / iResolution . xy ) . x ;
 st_assert ( levels [ 0 ] >= 0.0 ) ;
 c = vec4 ( levels [ 0 ] , levels [ 1 ] , iChannelResolution [ 0 ] . xy ) ;
 }

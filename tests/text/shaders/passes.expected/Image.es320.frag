@@ -1,5 +1,5 @@
 #version 320 es
-precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
+precision highp float; precision highp int; int shadertwin_safe_int ( precise float x ) { precise bool shadertwin_test; precise int shadertwin_result; precise int r = int ( x ) ; return (shadertwin_result = (x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r)) ; } int shadertwin_safe_modulo ( precise int a , precise int b ) { precise bool shadertwin_test; precise int shadertwin_result; precise int d = b == 0 || b == - 1 ? 1 : b , r = a - a / d * d ; return (shadertwin_result = (b == 0 ? - 1 : r)) ; } int shadertwin_at ( precise int i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (clamp ( i , 0 , last ))) ; } int shadertwin_at ( precise uint i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (int ( min ( i , uint ( last ) ) ))) ; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -25,7 +25,7 @@ float wave ( precise float t , precise float hertz ) { precise bool shadertwin_t
 
 void mainImage ( precise out vec4 c , precise in vec2 p ) { precise bool shadertwin_test; c = vec4 ( 0 ) ;
 precise float levels [ 3 ] = float [ 3 ] ( 0.0 , 0.0 , 0.0 ) ;
-levels [ shadertwin_at ( ( int ( p . x ) % 3 ) , 2 ) ] = texture ( iChannel0 , p / iResolution . xy ) . x ;
+levels [ shadertwin_at ( ( shadertwin_safe_modulo ( int ( shadertwin_safe_int ( p . x ) ) , 3 ) ) , 2 ) ] = texture ( iChannel0 , p / iResolution . xy ) . x ;
 st_assert ( levels [ 0 ] >= 0.0 ) ;
 c = vec4 ( levels [ 0 ] , levels [ 1 ] , iChannelResolution [ 0 ] . xy ) ;
 }

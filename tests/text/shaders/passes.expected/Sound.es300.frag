@@ -1,5 +1,5 @@
 #version 300 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform float iTimeOffset ;
@@ -12,7 +12,7 @@ uniform sampler2D iChannel1 ;
 uniform sampler2D iChannel2 ;
 uniform sampler2D iChannel3 ;
 vec2 mainSound ( in int , in float ) ;
-void main ( ) { int shadertwin_sample = int ( gl_FragCoord . x ) + 512 * int ( gl_FragCoord . y ) ; float shadertwin_time = iTimeOffset + float ( shadertwin_sample ) / iSampleRate ; shadertoy_out_color = vec4 ( mainSound ( iSampleOffset + shadertwin_sample , shadertwin_time ) , 0.0 , 1.0 ) ; }
+void main ( ) { int shadertwin_sample = int ( shadertwin_safe_int(gl_FragCoord . x) ) + 512 * int ( shadertwin_safe_int(gl_FragCoord . y) ) ; float shadertwin_time = iTimeOffset + float ( shadertwin_sample ) / iSampleRate ; shadertoy_out_color = vec4 ( mainSound ( iSampleOffset + shadertwin_sample , shadertwin_time ) , 0.0 , 1.0 ) ; }
 
 
 float wave ( float t , float hertz ) { return sin ( 6.2831853 * hertz * t ) ; }

@@ -1,0 +1,306 @@
+#include "host/text/define_operations.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "host/text/known_zeros.h"
+#include "host/text/operands.h"
+
+namespace shadertwin {
+namespace {
+
+using glslang::TIntermAggregate;
+using glslang::TIntermConstantUnion;
+using glslang::TIntermTyped;
+
+// The functions of numbers. Each computes what GLSL has first, so that nothing needs to branch.
+struct Definition {
+  std::string_view name;
+  std::string_view text;
+};
+constexpr std::array<Definition, 9> definitions = {{
+    {"mod", "float shadertwin_safe_mod(float x, float y) { float r = mod(x, y); return y == 0.0 ? x : r; }"},
+    {"pow",
+     "float shadertwin_safe_pow(float x, float y) { float r = pow(x, y); "
+     "return y == 0.0 ? 1.0 : x == 0.0 && y < 0.0 ? uintBitsToFloat(0x7f800000u) : r; }"},
+    {"atan",
+     "float shadertwin_safe_atan(float y, float x) { float r = atan(y, x); "
+     "return x == 0.0 && y == 0.0 ? 0.0 : r; }"},
+    {"smoothstep",
+     "float shadertwin_safe_smoothstep(float a, float b, float x) { float r = smoothstep(a, b, x); "
+     "return a == b ? float(x > a) : r; }"},
+    {"int",
+     "int shadertwin_safe_int(float x) { int r = int(x); "
+     "return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; }"},
+    {"uint",
+     "uint shadertwin_safe_uint(float x) { uint r = uint(x); "
+     "return x >= 4294967296.0 ? 4294967295u : x > 0.0 ? r : 0u; }"},
+    // Division by a zero that is known before the shader runs: some drivers make it anything.
+    {"over",
+     "float shadertwin_safe_over(float a, float b) { float r = a / b; "
+     "return b == 0.0 ? a * uintBitsToFloat(floatBitsToUint(b) & 0x80000000u | 0x7f800000u) : r; }"},
+    // No division by 0 or -1 even of constants: a driver that computes -2147483648 / -1 itself may trap.
+    {"divide",
+     "int shadertwin_safe_divide(int a, int b) { int d = b == 0 || b == -1 ? 1 : b, r = a / d; "
+     "return b == 0 ? -1 : b == -1 ? -a : r; }"},
+    {"modulo",
+     "int shadertwin_safe_modulo(int a, int b) { int d = b == 0 || b == -1 ? 1 : b, r = a - a / d * d; "
+     "return b == 0 ? -1 : r; }"},
+}};
+
+std::string type_name(const glslang::TType& type) {
+  const bool is_float = type.getBasicType() == glslang::EbtFloat;
+  const bool is_int = type.getBasicType() == glslang::EbtInt;
+  if (type.getVectorSize() == 1) return is_float ? "float" : is_int ? "int" : "uint";
+  return (is_float ? "vec" : is_int ? "ivec" : "uvec") + std::to_string(type.getVectorSize());
+}
+
+// Numbers and vectors of them.
+bool is_simple(const TIntermTyped& node) {
+  const glslang::TType& type = node.getType();
+  return !type.isMatrix() && !type.isArray() && !type.isStruct() &&
+         (type.getBasicType() == glslang::EbtFloat || type.getBasicType() == glslang::EbtInt ||
+          type.getBasicType() == glslang::EbtUint);
+}
+
+// Whether the node is a constant and `holds` of each of its components, as doubles.
+template <class Test>
+bool is_constant_that(const TIntermTyped& node, Test holds) {
+  const TIntermConstantUnion* constant = node.getAsConstantUnion();
+  if (constant == nullptr) return false;
+  for (int i = 0; i < constant->getConstArray().size(); ++i) {
+    const glslang::TConstUnion& value = constant->getConstArray()[i];
+    const double number = value.getType() == glslang::EbtDouble ? value.getDConst()
+                          : value.getType() == glslang::EbtUint ? static_cast<double>(value.getUConst())
+                                                                : static_cast<double>(value.getIConst());
+    if (!holds(number)) return false;
+  }
+  return true;
+}
+
+bool is_nonzero(const TIntermTyped& node) {
+  return is_constant_that(node, [](double x) { return x != 0; });
+}
+bool is_positive(const TIntermTyped& node) {
+  return is_constant_that(node, [](double x) { return x > 0; });
+}
+// Of constants of one size, or of numbers and vectors: whether every component of `low` is less.
+bool is_below(const TIntermTyped& low, const TIntermTyped& high) {
+  double most = -1e300;
+  double least = 1e300;
+  const auto note_most = [&most](double x) { return most = std::max(most, x), true; };
+  const auto note_least = [&least](double x) { return least = std::min(least, x), true; };
+  return is_constant_that(low, note_most) && is_constant_that(high, note_least) && most < least;
+}
+
+// Visits what is further in first.
+class Operations : public glslang::TIntermTraverser {
+ public:
+  Operations(const SyntaxTree& tree, RewrittenLines& edits)
+      : TIntermTraverser(false, false, true),
+        tree_(tree),
+        tokens_(tree.tokens()),
+        edits_(edits),
+        zeros_(tree) {}
+
+  bool visitBinary(glslang::TVisit, glslang::TIntermBinary* node) override {
+    const TIntermTyped& left = *node->getLeft();
+    const TIntermTyped& right = *node->getRight();
+    if (!is_simple(left) || !is_simple(right)) return true;
+    const bool is_int = node->getBasicType() == glslang::EbtInt;
+    switch (node->getOp()) {
+      case glslang::EOpMod:
+      case glslang::EOpModAssign:
+        if (is_int) replace_operator(*node, "modulo");
+        break;
+      case glslang::EOpDiv:
+      case glslang::EOpDivAssign:
+        if (is_int && !is_constant_that(right, [](double x) { return x != 0 && x != -1; }))
+          replace_operator(*node, "divide");
+        if (node->getBasicType() == glslang::EbtFloat && zeros_.may_be_zero(right))
+          replace_operator(*node, "over");
+        break;
+      default:
+        break;
+    }
+    return true;
+  }
+
+  bool visitUnary(glslang::TVisit, glslang::TIntermUnary* node) override {
+    const bool to_int = node->getOp() == glslang::EOpConvFloatToInt;
+    if (!to_int && node->getOp() != glslang::EOpConvFloatToUint) return true;
+    const TIntermTyped& operand = *node->getOperand();
+    if (is_simple(operand)) convert(operand, to_int ? "int" : "uint");
+    return true;
+  }
+
+  bool visitAggregate(glslang::TVisit, TIntermAggregate* node) override {
+    const glslang::TIntermSequence& sequence = node->getSequence();
+    std::vector<const TIntermTyped*> parts;
+    for (const TIntermNode* part : sequence) parts.push_back(part->getAsTyped());
+    if (parts.size() < 2 || std::any_of(parts.begin(), parts.end(),
+                                        [](auto* part) { return part == nullptr || !is_simple(*part); }))
+      return true;
+    if (std::all_of(parts.begin(), parts.end(), [](auto* part) { return part->getAsConstantUnion(); }))
+      return true;  // where a constant is needed, no function of ours may stand
+    switch (node->getOp()) {
+      case glslang::EOpMod:
+        if (!is_nonzero(*parts[1])) rename_call(*node, "mod", parts);
+        break;
+      case glslang::EOpPow:
+        if (!is_positive(*parts[0]) && !is_positive(*parts[1])) rename_call(*node, "pow", parts);
+        break;
+      case glslang::EOpAtan:
+        if (!is_nonzero(*parts[0]) && !is_nonzero(*parts[1])) rename_call(*node, "atan", parts);
+        break;
+      case glslang::EOpSmoothStep:
+        if (!is_below(*parts[0], *parts[1]) && !is_below(*parts[1], *parts[0]))
+          rename_call(*node, "smoothstep", parts);
+        break;
+      case glslang::EOpClamp:
+        if (!is_below(*parts[1], *parts[2])) rename_call(*node, "clamp", parts);
+        break;
+      default:
+        break;
+    }
+    return true;
+  }
+
+  // Puts the collected texts around the tokens: of two that begin or end at the same token, the longer
+  // outside.
+  std::string finish() {
+    std::stable_sort(around_.begin(), around_.end(),
+                     [](const Around& a, const Around& b) { return a.range.size() < b.range.size(); });
+    for (const Around& around : around_) {
+      std::string& before = edits_.before[static_cast<std::size_t>(around.range.first)];
+      before = around.before + before;
+      edits_.after[static_cast<std::size_t>(around.range.last)] += ")";
+    }
+    return functions_;
+  }
+
+ private:
+  struct Around {
+    TokenRange range;
+    std::string before;
+  };
+  using Types = std::vector<std::string>;
+
+  const std::string& text(int token) const {
+    static const std::string none;
+    return token >= 0 && token < static_cast<int>(tokens_.size())
+               ? tokens_[static_cast<std::size_t>(token)].text
+               : none;
+  }
+
+  static Types types_of(const std::vector<const TIntermTyped*>& nodes) {
+    Types types;
+    for (const TIntermTyped* node : nodes) types.push_back(type_name(node->getType()));
+    return types;
+  }
+
+  void rename_call(const TIntermAggregate& node, const std::string& name,
+                   const std::vector<const TIntermTyped*>& parts) {
+    int token = tree_.token_of(node);
+    if (text(token) == ")") token = opening_bracket(tokens_, token) - 1;
+    if (text(token) == "(") --token;
+    if (text(token) != name) return;
+    edits_.instead[token] = "shadertwin_safe_" + name;
+    define(name, node.getType(), types_of(parts));
+  }
+
+  void replace_operator(const glslang::TIntermBinary& node, const std::string& name) {
+    const int token = tree_.token_of(node);
+    const bool assigns = text(token) == "/=" || text(token) == "%=";
+    if (!assigns && text(token) != "/" && text(token) != "%") return;
+    const TokenRange range = {left_operand(tokens_, token).first, right_operand(tokens_, token).last};
+    around_.push_back({range, "shadertwin_safe_" + name + (assigns ? "_to(" : "(")});
+    edits_.instead[token] = ",";
+    const Types types = types_of({node.getLeft(), node.getRight()});
+    define(name, node.getType(), types);
+    if (assigns)
+      add(types[0] + " shadertwin_safe_" + name + "_to(inout " + types[0] + " a, " + types[1] +
+          " b) { return a = shadertwin_safe_" + name + "(a, b); }");
+  }
+
+  // The tree has the conversion, of an operand somewhere among a constructor's arguments: of the innermost
+  // one that no conversion further in has taken.
+  void convert(const TIntermTyped& operand, const std::string& name) {
+    const int inside = tree_.token_of(operand);
+    for (int open = enclosing(inside); open > 0; open = enclosing(open)) {
+      const std::string& constructor = text(open - 1);
+      if (constructor != name && !constructor.starts_with(name == "int" ? "ivec" : "uvec")) continue;
+      const TokenRange argument = argument_around(tokens_, open, inside);
+      if (!converted_.insert(argument.first).second) continue;
+      around_.push_back({argument, "shadertwin_safe_" + name + "("});
+      const glslang::TType type(name == "int" ? glslang::EbtInt : glslang::EbtUint, glslang::EvqTemporary,
+                                operand.getType().getVectorSize());
+      define(name, type, types_of({&operand}));
+      return;
+    }
+  }
+
+  // The bracket that opens around a token of an expression; -1 if none does.
+  int enclosing(int token) const {
+    for (int i = token - 1; i >= 0; --i) {
+      const std::string& at = text(i);
+      if (at == "(" || at == "[") return i;
+      if (at == ")" || at == "]") i = opening_bracket(tokens_, i);
+      if (at == ";" || at == "{" || at == "}") break;
+    }
+    return -1;
+  }
+
+  // Our function for these types, and what it needs.
+  void define(const std::string& name, const glslang::TType& type, const Types& types) {
+    const std::string result = type_name(type);
+    static constexpr std::array<std::string_view, 3> names = {"a", "b", "c"};
+    std::string head = result + " shadertwin_safe_" + name + "(";
+    for (std::size_t i = 0; i < types.size(); ++i)
+      head += (i > 0 ? ", " : "") + types[i] + ' ' + std::string(names.at(i));
+    if (name == "clamp") {
+      add(head + ") { return min(max(a, b), c); }");
+      return;
+    }
+    for (const Definition& definition : definitions)
+      if (definition.name == name) add(std::string(definition.text));
+    if (type.getVectorSize() == 1) return;
+    std::string body;
+    for (int component = 0; component < type.getVectorSize(); ++component) {
+      body += (component > 0 ? ", shadertwin_safe_" : "shadertwin_safe_") + name + "(";
+      for (std::size_t i = 0; i < types.size(); ++i) {
+        body += (i > 0 ? ", " : "") + std::string(names.at(i));
+        if (types[i].find("vec") != std::string::npos) body += std::string(".") + "xyzw"[component];
+      }
+      body += ")";
+    }
+    add(head + ") { return " + result + "(" + body + "); }");
+  }
+
+  void add(const std::string& function) {
+    if (known_.insert(function).second) functions_ += ' ' + function;
+  }
+
+  const SyntaxTree& tree_;
+  const std::vector<PlainToken>& tokens_;
+  RewrittenLines& edits_;
+  KnownZeros zeros_;
+  std::vector<Around> around_;
+  std::set<int> converted_;  // first tokens of arguments
+  std::set<std::string> known_;
+  std::string functions_;
+};
+
+}  // namespace
+
+std::string define_operations(const SyntaxTree& tree, RewrittenLines& edits) {
+  Operations operations(tree, edits);
+  const_cast<TIntermAggregate&>(tree.root()).traverse(&operations);
+  return operations.finish();
+}
+
+}  // namespace shadertwin
