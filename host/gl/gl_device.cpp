@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "host/base/error.h"
+#include "host/gl/driver_faults.h"
 #include "host/gl/textures.h"
 #include "host/text/render.h"
 
@@ -26,7 +27,7 @@ GlDevice::GlDevice(std::unique_ptr<Context> context, const Project& project, con
   for (std::size_t i = 0; i < passes_.size(); ++i) {
     const Pass& pass = this->project().passes[i];
     compile(i, pass.kind == PassKind::sound ? Dispatch::fragment : options.dispatch,
-            options.sources(this->project(), pass));
+            options.sources(this->project(), pass, [this](Fault fault) { return shows_fault(gl_, fault); }));
   }
   if (options.timers) timers_.emplace(*context_, passes_.size());
 }

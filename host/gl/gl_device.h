@@ -33,7 +33,8 @@ struct PlayerOptions {
   Dispatch dispatch = Dispatch::automatic;
   bool timers = false;  // measure every pass on the GPU
   // What to compile for a pass, in the order in which it is tried. One that comes later means a warning.
-  std::function<std::vector<PassSource>(const Project&, const Pass&)> sources = driver_sources;
+  std::function<std::vector<PassSource>(const Project&, const Pass&, const ShowsFault&)> sources =
+      driver_sources;
 };
 
 class GlDevice final : public Device {

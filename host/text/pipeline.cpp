@@ -13,27 +13,34 @@ bool wants_precise(const Project& project, const Pass& pass) {
   return project.precise && pass.kind != PassKind::sound;
 }
 
-PassSource precise_source(const Project& project, const Pass& pass) {
+bool no_fault(Fault /*fault*/) {
+  return false;
+}
+
+PassSource precise_source(const Project& project, const Pass& pass, const ShowsFault& shows_fault) {
   if (project.undefined == Undefined::raw) return make_precise(project, pass.source);
-  return make_precise(project, define_undefined(project, pass.source).value_or(pass.source));
+  const PassSource defined = define_undefined(project, pass.source).value_or(pass.source);
+  return make_precise(project, work_around(defined, shows_fault));
 }
 
 }  // namespace
 
-std::vector<PassSource> driver_sources(const Project& project, const Pass& pass) {
+std::vector<PassSource> driver_sources(const Project& project, const Pass& pass,
+                                       const ShowsFault& shows_fault) {
   throw_if_refused(pass.source);
   if (pass.vertex.has_value()) throw_if_refused(*pass.vertex);
-  if (wants_precise(project, pass)) return {precise_source(project, pass)};
+  if (wants_precise(project, pass)) return {precise_source(project, pass, shows_fault)};
   std::vector<PassSource> sources;
   if (project.undefined == Undefined::zero)
-    if (auto defined = define_undefined(project, pass.source)) sources.push_back(*std::move(defined));
+    if (auto defined = define_undefined(project, pass.source))
+      sources.push_back(work_around(*defined, shows_fault));
   sources.push_back(pass.source);
   return sources;
 }
 
 PassSource twin_source(const Project& project, const Pass& pass) {
   throw_if_refused(pass.source);
-  return wants_precise(project, pass) ? precise_source(project, pass) : pass.source;
+  return wants_precise(project, pass) ? precise_source(project, pass, no_fault) : pass.source;
 }
 
 }  // namespace shadertwin

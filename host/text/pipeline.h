@@ -6,6 +6,7 @@
 //   canonicalise      WebGL's text as all take it      host/text/canonicalise.h
 //   write_host_text   uniforms and main()              host/text/host_text.h
 //   define_undefined  zero where GLSL gives anything   host/text/define_undefined.h
+//   work_around       for a driver with faults         host/text/work_around.h
 //   make_precise      operations in the text's order   host/text/make_precise.h
 //   render            the whole text for a device      host/text/render.h
 //
@@ -15,14 +16,16 @@
 #include <vector>
 
 #include "host/project/project.h"
+#include "host/text/work_around.h"
 
 namespace shadertwin {
 
 // What a driver is to compile, as Project::undefined and Project::precise ask: to be tried in this order,
 // since some driver may refuse what only browsers' rules add. The last one is the shader as it is written.
-// Throws Error(shader) if browsers refuse its directives, or if a precise text is asked for and it can't be
-// read.
-std::vector<PassSource> driver_sources(const Project& project, const Pass& pass);
+// `shows_fault`: of that driver. Throws Error(shader) if browsers refuse its directives, or if a precise text
+// is asked for and it can't be read.
+std::vector<PassSource> driver_sources(const Project& project, const Pass& pass,
+                                       const ShowsFault& shows_fault);
 
 // The same for the twin, which defines by itself what GLSL leaves undefined.
 PassSource twin_source(const Project& project, const Pass& pass);

@@ -62,7 +62,7 @@ TEST_P(ShaderErrors, ARewrittenTextThatIsRefusedIsReplacedWithOneWarning) {
                    "ivec2(p), 0); }\n");
   const Project project = load_project(shader);
   gl::PlayerOptions options{GetParam().dispatch};
-  options.sources = [](const Project&, const Pass& pass) {
+  options.sources = [](const Project&, const Pass& pass, const ShowsFault&) {
     PassSource broken = pass.source;
     broken.body += "\nfloat broken = ;\n";
     return std::vector{broken, pass.source};
@@ -75,7 +75,9 @@ TEST_P(ShaderErrors, ARewrittenTextThatIsRefusedIsReplacedWithOneWarning) {
   FixedClock clock(small(), host_rules(project));
   player->render(clock.next());
   EXPECT_EQ(pixel(player->read(1)), glm::vec4(2));
-  options.sources = [](const Project&, const Pass& pass) { return std::vector{pass.source}; };
+  options.sources = [](const Project&, const Pass& pass, const ShowsFault&) {
+    return std::vector{pass.source};
+  };
   EXPECT_EQ(gl::make_player(gl::open_context(GetParam().name), project, options)->warnings().size(), 1U)
       << "a text that could not be rewritten";
 }

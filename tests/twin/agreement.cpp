@@ -29,8 +29,8 @@ class Silent : public twin::Observer {
 
 // Texts that the driver refuses must not fall back to others here.
 std::unique_ptr<Player> open_gl(const std::string& device, const Project& project) {
-  const auto first = [](const Project& p, const Pass& pass) {
-    return std::vector{driver_sources(p, pass).front()};
+  const auto first = [](const Project& p, const Pass& pass, const ShowsFault& shows_fault) {
+    return std::vector{driver_sources(p, pass, shows_fault).front()};
   };
   return gl::make_player(gl::open_context(device), project,
                          {.dispatch = gl::Dispatch::fragment, .sources = first});
