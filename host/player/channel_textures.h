@@ -26,8 +26,8 @@ class ChannelTextures {
   explicit ChannelTextures(Device& device)
       : device_(device), project_(device.project()), rules_(host_rules(project_)), moving_inputs_(project_) {}
 
-  // Loads what is bound to a channel, any kind of input but a pass that is there or not; each file goes to the device once. Throws
-  // Error(file).
+  // Loads what is bound to a channel, any kind of input but a pass that is there or not; each file goes to
+  // the device once. Throws Error(file).
   ChannelTexture load(const Input& input);
   // A pass that the project lacks reads as one that was never drawn: zero, alpha too. `frame_size`: of the
   // project's pictures.

@@ -12,6 +12,7 @@
 #include "host/text/render.h"
 #include "host/text/resolve_macros.h"
 #include "host/text/rewritten_lines.h"
+#include "host/text/storage.h"
 #include "host/text/syntax_tree.h"
 #include "host/text/zero_values.h"
 
@@ -182,21 +183,13 @@ Choices find_choices(const SyntaxTree& tree) {
   return finder.choices;
 }
 
-// Nothing if the parser refuses what the driver may take.
-std::optional<SyntaxTree> parsed(const Project& project, const PassSource& source) {
-  try {
-    return std::make_optional<SyntaxTree>(project, source, Folding::float32);
-  } catch (const Error&) {
-    return std::nullopt;
-  }
-}
-
 }  // namespace
 
 std::optional<PassSource> define_undefined(const Project& project, const PassSource& source) {
+  throw_if_refused(source);
+  const std::optional<SyntaxTree> tree = parsed(project, source);
+  if (tree) measure_allowed_storage(*tree);
   try {
-    throw_if_refused(source);
-    const std::optional<SyntaxTree> tree = parsed(project, source);
     const std::vector<PlainToken> tokens = tree ? tree->tokens() : split_tokens(render(source));
     const Declarations declarations(tokens);
     DefinedText text(tokens, declarations);

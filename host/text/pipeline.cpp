@@ -3,6 +3,7 @@
 #include "host/text/define_undefined.h"
 #include "host/text/make_precise.h"
 #include "host/text/resolve_macros.h"
+#include "host/text/storage.h"
 
 namespace shadertwin {
 
@@ -29,6 +30,7 @@ std::vector<PassSource> driver_sources(const Project& project, const Pass& pass,
                                        const ShowsFault& shows_fault) {
   throw_if_refused(pass.source);
   if (pass.vertex.has_value()) throw_if_refused(*pass.vertex);
+  if (project.undefined == Undefined::raw) refuse_large_variables(project, pass.source);
   if (wants_precise(project, pass)) return {precise_source(project, pass, shows_fault)};
   std::vector<PassSource> sources;
   if (project.undefined == Undefined::zero)

@@ -100,9 +100,21 @@ SourceLine SyntaxTree::line_of_token(int token) const {
 }
 
 std::string SyntaxTree::place_of(const TIntermNode& node) const {
-  const SourceLine line = line_of(node);
+  return place_of_token(token_of(node));
+}
+
+std::string SyntaxTree::place_of_token(int token) const {
+  const SourceLine line = line_of_token(token);
   if (line.file < 0) return "shader";
   return project_.files[line.file] + ':' + std::to_string(line.line);
+}
+
+std::optional<SyntaxTree> parsed(const Project& project, const PassSource& source) {
+  try {
+    return std::make_optional<SyntaxTree>(project, source, Folding::float32);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace shadertwin

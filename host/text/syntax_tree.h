@@ -6,6 +6,7 @@
 #include <glslang/Include/intermediate.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,8 +44,9 @@ class SyntaxTree {
   // The user's own line of a node; file is -1 for the host's text.
   SourceLine line_of(const TIntermNode& node) const;
   SourceLine line_of_token(int token) const;
-  // `file:line` for messages about a node.
+  // `file:line` for messages about a node or a token.
   std::string place_of(const TIntermNode& node) const;
+  std::string place_of_token(int token) const;
 
  private:
   const Project& project_;
@@ -56,5 +58,8 @@ class SyntaxTree {
   std::unique_ptr<Declarations> declarations_;
   const glslang::TIntermAggregate* root_ = nullptr;
 };
+
+// Nothing if the parser refuses what a driver may take.
+std::optional<SyntaxTree> parsed(const Project& project, const PassSource& source);
 
 }  // namespace shadertwin

@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <map>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "host/text/storage.h"
 #include "reference/check/parsed_pass.h"
 #include "reference/check/rules.h"
 
@@ -12,33 +12,6 @@ namespace shadertwin::check {
 namespace {
 
 using namespace glslang;
-
-// ANGLE refuses a variable of 64 KiB, every component counted as four bytes (Chromium's WebGL2, found by
-// halving: float[16383] and vec3[5461] pass, float[16384] and vec3[5462] don't).
-constexpr int most_components = 16383;
-
-bool is_variable(TStorageQualifier qualifier) {
-  switch (qualifier) {
-    case EvqTemporary:
-    case EvqGlobal:
-    case EvqConst:
-    case EvqConstReadOnly:
-    case EvqIn:
-    case EvqOut:
-    case EvqInOut:
-      return true;
-    default:
-      return false;
-  }
-}
-
-// Each variable that is used, and each global one, once.
-class SymbolCollector : public TIntermTraverser {
- public:
-  std::map<long long, const TIntermSymbol*> symbols;
-
-  void visitSymbol(TIntermSymbol* symbol) override { symbols.emplace(symbol->getId(), symbol); }
-};
 
 // Operators that ANGLE does not take although the language leaves them open.
 class OperatorFinder : public TIntermTraverser {
@@ -100,26 +73,8 @@ class Limits {
   }
 
   void large_variables() {
-    SymbolCollector collector;
-    const_cast<TIntermAggregate&>(tree_.root()).traverse(&collector);  // it has no const traversal
-    for (const auto& [id, symbol] : collector.symbols) {
-      if (!is_variable(symbol->getQualifier().storage)) continue;
-      if (symbol->getType().computeNumComponents() <= most_components) continue;
-      const std::string name = symbol->getName().c_str();
-      add(declaration_of(*symbol, name), "'" + name + "' has 64 KB or more: browsers refuse it");
-    }
-  }
-
-  // A global variable that nothing uses stands for no token, a parameter for one beside its name.
-  int declaration_of(const TIntermSymbol& symbol, const std::string& name) const {
-    const Declarations& declarations = tree_.declarations();
-    if (const int declaration = declarations.declaration_of(tree_.token_of(symbol)); declaration >= 0)
-      return declaration;
-    for (const Variable& variable : declarations.variables())
-      if (variable.place == Variable::Place::global && variable.name >= 0 &&
-          tree_.tokens()[static_cast<std::size_t>(variable.name)].text == name)
-        return variable.name;
-    return tree_.token_of(symbol);
+    for (const LargeVariable& variable : measure_storage(tree_).large)
+      add(variable.token, "'" + variable.name + "' has 64 KB or more: browsers refuse it");
   }
 
   // Neither host has a vertex shader with outputs.

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "host/base/error.h"
+#include "host/text/storage.h"
 #include "reference/check/parsed_pass.h"
 
 namespace shadertwin::check {
@@ -78,6 +79,8 @@ Reading read_rules(const Project& project) {
   append(common_errors(project, errors));
   if (reading.can_run) {
     for (const ParsedPass& parsed : passes) {
+      const Storage storage = measure_storage(parsed.tree);
+      reading.can_run &= storage.large.empty() && storage.variables <= most_components_together;
       append(browser_limits(parsed));
       append(unwritten_outputs(parsed));
       const std::vector<Finding> endless = endless_loops(parsed);

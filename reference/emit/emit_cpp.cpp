@@ -10,6 +10,7 @@
 #include <set>
 
 #include "host/base/error.h"
+#include "host/text/storage.h"
 #include "reference/emit/cpp_context.h"
 #include "reference/emit/cpp_function.h"
 #include "reference/emit/packet_expression.h"
@@ -126,7 +127,7 @@ class CppModule {
     return text_.take();
   }
 
-  std::string write() {
+  std::string write(const Storage& storage) {
     const bool packets = context_.options().packets;
     std::optional<Uniformity> uniformity;
     if (packets) uniformity.emplace(program_);
@@ -159,7 +160,7 @@ class CppModule {
       text_.add(line);
     }
     text_.add("  }");
-    bindings();
+    bindings(storage);
     text_.add("");
     for (const CppLine& line : members) text_.add(line);
     text_.add("};");
@@ -299,7 +300,7 @@ class CppModule {
     return scope.out.take();
   }
 
-  void bindings() {
+  void bindings(const Storage& storage) {
     text_.add("  template <class Bind>");
     text_.add("  void bind_uniforms__(Bind&& bind) {");
     for (const TIntermSymbol* symbol : program_.globals()) {
@@ -316,6 +317,8 @@ class CppModule {
     const bool stops = (program_.uses_discard() && !context_.options().packets) ||
                        context_.options().loop_guards || context_.options().checks;
     text_.add(std::string("  static constexpr bool uses_stop__ = ") + (stops ? "true" : "false") + ";");
+    text_.add("  static constexpr std::size_t components__ = " +
+              std::to_string(storage.variables + storage.temporaries) + ";");
   }
 
   // The variable that holds the pixel: the output at location 0, or the only one.
@@ -341,8 +344,9 @@ class CppModule {
 
 std::string emit_cpp(const Project& project, const Pass& pass, const CppOptions& options) {
   const SyntaxTree tree(project, pass.source, options.double_precision ? Folding::float64 : Folding::float32);
+  const Storage storage = measure_allowed_storage(tree);
   const emit::Program program(tree);
-  return emit::CppModule(project, program, options, "twin.cpp").write();
+  return emit::CppModule(project, program, options, "twin.cpp").write(storage);
 }
 
 std::string emit_header(const Project& project, const Pass& pass, const std::string& name,

@@ -6,7 +6,7 @@
 namespace shadertwin::twin {
 
 // Changes whenever a twin compiled before the change can't be run any more.
-constexpr int abi_version = 3;
+constexpr int abi_version = 4;
 
 // The value of a uniform, by name.
 struct UniformValue {
@@ -84,6 +84,8 @@ struct Description {
   bool double_precision = false;
   bool uses_derivatives = false;
   bool uses_implicit_lod = false;
+  // Of all variables, and of the arrays and structures that calls and constructors give.
+  std::size_t value_bytes = 0;
 };
 
 // The functions that a twin exports.

@@ -274,7 +274,8 @@ inline vec4 as_pixel(Float color) {
       shadertwin::twin::Description* description) {                                                  \
     using namespace shadertwin::glsl;                                                                \
     *description = {shadertwin::twin::abi_version, sizeof(Float) == sizeof(double),                  \
-                    Shader::uses_derivatives__, Shader::uses_implicit_lod__};                        \
+                    Shader::uses_derivatives__, Shader::uses_implicit_lod__,                         \
+                    sizeof(PixelLoop<Shader>) + Shader::components__ * sizeof(Float)};               \
   }                                                                                                  \
   extern "C" __attribute__((visibility("default"))) void shadertwin_render(                          \
       const shadertwin::twin::Request* request) {                                                    \

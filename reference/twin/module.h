@@ -1,6 +1,7 @@
 // A compiled twin in memory.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 
@@ -14,7 +15,10 @@ class Module {
   explicit Module(const std::filesystem::path& object);
 
   const Description& description() const { return description_; }
-  void render(const Request& request) const { render_(&request); }
+  // Draws, on a stack that is large enough for the shader's variables.
+  void render(const Request& request) const;
+  // What one invocation may need.
+  std::size_t stack_bytes() const;
 
  private:
   struct Close {

@@ -249,7 +249,8 @@ SHADERTWIN_INLINE void unwritten(Bool mask, T& variable) {
       shadertwin::twin::Description* description) {                                                  \
     using namespace shadertwin::glsl::packet;                                                        \
     *description = {shadertwin::twin::abi_version, false, Shader::uses_derivatives__,                \
-                    Shader::uses_implicit_lod__};                                                    \
+                    Shader::uses_implicit_lod__,                                                     \
+                    sizeof(PixelLoop<Shader>) + Shader::components__ * sizeof(Float)};               \
   }                                                                                                  \
   extern "C" __attribute__((visibility("default"))) void shadertwin_render(                          \
       const shadertwin::twin::Request* request) {                                                    \

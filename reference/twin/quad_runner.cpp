@@ -9,16 +9,18 @@
 namespace shadertwin::twin {
 namespace {
 
-// Shaders keep arrays on the stack. Pages that are never touched cost nothing.
-constexpr std::size_t stack_bytes = std::size_t{8} << 20;
+// Pages that are never touched cost nothing.
+constexpr std::size_t usual_stack_bytes = std::size_t{8} << 20;
 
 }  // namespace
 
-QuadRunner::QuadRunner() {
+void QuadRunner::reserve(std::size_t stack_bytes) {
+  if (stack_bytes <= stack_bytes_) return;
   using boost::context::fiber;
+  stack_bytes_ = std::max(stack_bytes, usual_stack_bytes);
   for (int i = 0; i < QuadExchange::lanes; ++i) {
     Lane& lane = lanes_[i];
-    lane.fiber = fiber(std::allocator_arg, boost::context::protected_fixedsize_stack(stack_bytes),
+    lane.fiber = fiber(std::allocator_arg, boost::context::protected_fixedsize_stack(stack_bytes_),
                        [this, i, &lane](fiber&& scheduler) -> fiber {
                          lane.scheduler = std::move(scheduler);
                          for (;;) {

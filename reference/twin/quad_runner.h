@@ -16,9 +16,12 @@ namespace shadertwin::twin {
 // thread.
 class QuadRunner {
  public:
-  QuadRunner();
+  QuadRunner() = default;
   QuadRunner(const QuadRunner&) = delete;
   QuadRunner& operator=(const QuadRunner&) = delete;
+
+  // Gives each lane a stack of so many bytes at least. To be called before run().
+  void reserve(std::size_t stack_bytes);
 
   // A RunQuad; `runner` is a QuadRunner.
   static void run(void* runner, QuadExchange* exchange, void (*lane)(void* argument, int lane),
@@ -36,6 +39,7 @@ class QuadRunner {
   bool any_running() const;
 
   Lane lanes_[QuadExchange::lanes];
+  std::size_t stack_bytes_ = 0;
   void (*function_)(void*, int) = nullptr;
   void* argument_ = nullptr;
 };

@@ -216,7 +216,11 @@ class TwinDevice final : public Device {
       request.y1 = y1;
       request.pixels =
           target.pixels(first + row * static_cast<std::size_t>(y0) + static_cast<std::size_t>(x0));
-      if (request.quads) request.quad_runner = &quad_runners_.local();
+      if (request.quads) {
+        QuadRunner& runner = quad_runners_.local();
+        runner.reserve(module.stack_bytes());
+        request.quad_runner = &runner;
+      }
       module.render(request);
     };
     if (options_.stop_at && static_cast<std::size_t>(options_.stop_at->pass) == call.pass) {
