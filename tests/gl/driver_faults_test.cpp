@@ -13,10 +13,10 @@ class DriverFaults : public OnEveryDevice {
  protected:
   // Whether the shader of tests/emit/shaders/green paints green.
   bool is_green(const std::string& shader, Undefined undefined) const {
-    const std::filesystem::path folder =
+    const std::filesystem::path shaders =
         std::filesystem::path(SHADERTWIN_SOURCE_DIR) / "tests/emit/shaders/green";
     const Project project =
-        load_project(folder / shader, {.dialect = Dialect::shadertoy, .undefined = undefined});
+        load_project(shaders / shader, {.dialect = Dialect::shadertoy, .undefined = undefined});
     return pixel(frames(project, 1, small()).back()) == glm::vec4(0, 1, 0, 1);
   }
 

@@ -8,19 +8,26 @@
 namespace shadertwin {
 namespace {
 
-// Without spaces.
-std::string rewritten(const std::string& body, bool faulty = true) {
+PassSource source_of(const std::string& body) {
   PassSource source;
   source.body = body;
-  std::string text = work_around(source, [faulty](Fault) { return faulty; }).body;
+  return source;
+}
+
+bool always(Fault) {
+  return true;
+}
+
+// Without spaces.
+std::string rewritten(const std::string& body) {
+  std::string text = work_around(source_of(body), always).body;
   std::erase(text, ' ');
   return text;
 }
 
 TEST(WorkAround, WidensWhatIsUnpackedByAFunction) {
-  PassSource source;
-  source.body = "void f(uint u) { vec2 v = unpackHalf2x16(u) * 2.0; }\n";
-  const PassSource result = work_around(source, [](Fault) { return true; });
+  const PassSource result =
+      work_around(source_of("void f(uint u) { vec2 v = unpackHalf2x16(u) * 2.0; }\n"), always);
   EXPECT_NE(result.body.find("shadertwin_unpackHalf2x16 ( u )"), std::string::npos) << result.body;
   EXPECT_NE(result.helpers.find("vec2 shadertwin_unpackHalf2x16(uint"), std::string::npos);
 }
@@ -42,15 +49,15 @@ TEST(WorkAround, GuardsWhatGoesOnInALoopThatJumpsAtItsEnd) {
 TEST(WorkAround, LeavesOtherLoopsAlone) {
   for (const char* body : {"void f() { for (;;) { if (b) continue; a++; } }\n",
                            "void f() { for (;;) { switch (i) { case 0: a++; break; } break; } }\n"})
-    EXPECT_EQ(work_around(PassSource{.body = body}, [](Fault) { return true; }).body, body);
+    EXPECT_EQ(work_around(source_of(body), always).body, body);
 }
 
 TEST(WorkAround, AsksTheDriverOnlyForWhatTheShaderWouldMeet) {
   int asked = 0;
   const auto count = [&asked](Fault) { return ++asked, false; };
-  work_around(PassSource{.body = "void f() { for (;;) { if (b) continue; a++; } }\n"}, count);
+  work_around(source_of("void f() { for (;;) { if (b) continue; a++; } }\n"), count);
   EXPECT_EQ(asked, 0);
-  const PassSource endangered{.body = "void f() { for (;;) { if (b) continue; break; } }\n"};
+  const PassSource endangered = source_of("void f() { for (;;) { if (b) continue; break; } }\n");
   EXPECT_EQ(work_around(endangered, count).body, endangered.body);
   EXPECT_EQ(asked, 1);
 }
