@@ -5,6 +5,7 @@
 #include "host/app/add_option.h"
 #include "host/base/error.h"
 #include "host/text/load.h"
+#include "host/text/text_warnings.h"
 
 namespace shadertwin::app {
 
@@ -156,7 +157,7 @@ Project load(const PlayOptions& o) {
   Project project = load_project(o.shader, make_load_options(o));
   refuse_for_project(o, project);
   if (!o.quiet)
-    for (const std::string& warning : project.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+    for (const std::string& warning : all_warnings(project)) std::fprintf(stderr, "%s\n", warning.c_str());
   return project;
 }
 

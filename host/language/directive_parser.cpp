@@ -286,6 +286,7 @@ void DirectiveParser::parse_extension() {
   if (words.size() != 3 || !words[0].is(Kind::identifier) || !words[1].is(':') ||
       !words[2].is(Kind::identifier))
     return state_.error(line, "an extension's line is: #extension name : behaviour");
+  if (options_.es100) return;
   if (options_.behind_head || code_before_)
     return state_.error(line, options_.behind_head
                                   ? "#extension has to stand before the first code, which is the host's"

@@ -47,6 +47,8 @@ struct PreprocessOptions {
   // #extension are then refused wherever they are. Else #version 300 es may be on the first line, and
   // #extension before the first code.
   bool behind_head = true;
+  // The text is one of GLSL ES 1.00: #extension may stand anywhere and goes, as ES 3.00 has what it asks for.
+  bool es100 = false;
 };
 
 // A text is refused, besides what browsers refuse, where its macros make more than 1,000,000 tokens of the

@@ -104,6 +104,13 @@ enum class Undefined {
   raw    // whatever the device has there
 };
 
+// A uniform that a shader declares and its host does not have.
+struct OtherUniform {
+  std::string name;
+  SourceLine at;
+  bool set = false;  // it is another host's, and has the value that it has there
+};
+
 struct Pass {
   std::string name;  // "Image", "Buffer A" ...; for the extension the file's stem
   std::string code;  // the user's own text: the body without defines and Common
@@ -114,6 +121,7 @@ struct Pass {
   // those that turn their backs are not drawn, and its outputs are the fragments' inputs. Nothing: every
   // pixel is drawn.
   std::optional<PassSource> vertex;
+  std::vector<OtherUniform> other_uniforms;
   bool has_vr = false;    // it defines mainVR
   bool keyboard = false;  // the extension's iKeyboard is bound: 256x4, rows held, pressed, toggled, released
   bool strict = false;    // #StrictCompatibility: main() is the host's even if the user's text has one

@@ -142,6 +142,14 @@ void wrap_vertex(const Project& project, const Pass& pass, PassSource& source) {
 
 }  // namespace
 
+std::string host_uniforms(const Project& project, const Pass& pass) {
+  const std::vector<Token> none;
+  Head head(none);
+  add_shadertoy(head, project, pass);
+  add_vscode(head, project, pass);
+  return head.take();
+}
+
 void write_host_text(const Project& project, Pass& pass, bool vr) {
   const std::vector<Token> tokens = tokenize(pass.source.body);
   const EntryPoints entry = find_entry_points(tokens);

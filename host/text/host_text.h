@@ -1,6 +1,8 @@
 // What the host puts around the user's text, whatever the device: uniforms and main().
 #pragma once
 
+#include <string>
+
 #include "host/project/project.h"
 
 namespace shadertwin {
@@ -9,5 +11,9 @@ namespace shadertwin {
 // compiler takes (canonicalise.h); everything else of project and pass is final by then. `vr`: the picture is
 // mainVR's. Throws Error(shader) if the body has no entry point.
 void write_host_text(const Project& project, Pass& pass, bool vr);
+
+// Lines `uniform TYPE NAME;` of everything that players set by either host's names, as the pass would have
+// it.
+std::string host_uniforms(const Project& project, const Pass& pass);
 
 }  // namespace shadertwin

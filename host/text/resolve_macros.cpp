@@ -59,6 +59,9 @@ void resolve_macros(const Project& project, PassSource& source, Stage stage) {
     Macros names = other_names(stage);
     const std::vector<Token> written = tokenize(source.body);
     std::erase_if(names, [&](const HostMacro& macro) { return !mentions(written, macro.name); });
+    // A text with the output of ES 1.00 and without the host's entry was written for that version.
+    options.es100 =
+        stage == Stage::fragment && mentions(written, "gl_FragColor") && !mentions(written, "mainImage");
     if (!names.empty()) {
       // The shader's own meaning of a name wins.
       const std::string code = to_text(plain, lines);

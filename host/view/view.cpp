@@ -9,6 +9,7 @@
 #include "host/base/error.h"
 #include "host/image/image.h"
 #include "host/text/load.h"
+#include "host/text/text_warnings.h"
 #include "host/view/canvas.h"
 #include "host/view/capture.h"
 #include "host/view/dashboard.h"
@@ -78,7 +79,7 @@ class View {
   Loaded load(const fs::path& shader) {
     Project project = load_project(shader, options_.load);
     if (!options_.quiet)
-      for (const std::string& warning : project.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+      for (const std::string& warning : all_warnings(project)) std::fprintf(stderr, "%s\n", warning.c_str());
     auto stage = options_.other_player ? make_uploading_stage(window_, project, options_.other_player)
                                        : make_shared_stage(window_, project, options_.player);
     if (!options_.quiet)

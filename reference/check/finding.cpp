@@ -33,11 +33,4 @@ Finding make_finding(const Project& project, const Pass& pass, SourceLine at, co
   return {name, at.line, kind, text};
 }
 
-std::size_t own_lines(const Pass& pass) {
-  std::string_view code = pass.code;
-  code = code.substr(0, code.find_last_not_of(" \t") + 1);
-  const auto ends = static_cast<std::size_t>(std::count(code.begin(), code.end(), '\n'));
-  return std::min(ends + (code.empty() || code.back() == '\n' ? 0 : 1), pass.source.lines.size());
-}
-
 }  // namespace shadertwin::check

@@ -28,7 +28,4 @@ std::vector<Finding> sorted(std::vector<Finding> findings);
 Finding make_finding(const Project& project, const Pass& pass, SourceLine at, const std::string& kind,
                      const std::string& text);
 
-// How many lines of the body are the pass's own text: the last ones, behind the knobs and Common.
-std::size_t own_lines(const Pass& pass);
-
 }  // namespace shadertwin::check

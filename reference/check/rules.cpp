@@ -49,9 +49,9 @@ ParsedPass::ParsedPass(const Project& its_project, const Pass& its_pass)
       tree(project, pass.source, Folding::float32, Errors::all),
       program(tree) {}
 
-std::vector<Finding> syntax_errors(const Project& project, const Pass& pass) {
+std::vector<Finding> compile_errors(const Project& project, const Pass& pass) {
   try {
-    const SyntaxTree tree(project, pass.source, Folding::float32, Errors::all);
+    const ParsedPass parsed(project, pass);
     return {};
   } catch (const Error& error) {
     return read_errors(project, pass, error);

@@ -10,8 +10,8 @@ namespace shadertwin::check {
 
 struct ParsedPass;  // parsed_pass.h
 
-// What parsing a pass tells, kind `webgl2`: with any of these the shader can't be run.
-std::vector<Finding> syntax_errors(const Project& project, const Pass& pass);
+// What compiling a pass tells, kind `webgl2`: with any of these the shader can't be run.
+std::vector<Finding> compile_errors(const Project& project, const Pass& pass);
 
 // Errors of the Common tab where shadertoy.com compiles it by itself: functions there see no uniforms but
 // iDate and iSampleRate. Not those at places in `known`. None for the extension, which has no such tab.

@@ -7,6 +7,8 @@
 #include "host/language/tokens.h"
 #include "host/project/host_rules.h"
 #include "host/project/kinds.h"
+#include "host/text/common_alone.h"
+#include "host/text/text_warnings.h"
 #include "reference/check/rules.h"
 
 namespace shadertwin::check {
@@ -296,6 +298,18 @@ std::vector<Finding> inputs_of_one_host(const Project& project, const Pass& pass
   return findings;
 }
 
+// Uniforms that the shader declares and neither host has.
+std::vector<Finding> uniforms_of_others(const Project& project, const Pass& pass) {
+  std::vector<Finding> findings;
+  for (const OtherUniform& uniform : pass.other_uniforms)
+    findings.push_back(make_finding(project, pass, uniform.at, "portability",
+                                    uniform.set ? "'" + uniform.name +
+                                                      "' is set here as another host sets it, and not on "
+                                                      "shadertoy.com"
+                                                : words_for_unset(uniform)));
+  return findings;
+}
+
 }  // namespace
 
 std::vector<Finding> text_rules(const Project& project) {
@@ -311,6 +325,7 @@ std::vector<Finding> text_rules(const Project& project) {
     const std::size_t before = pass.source.lines.size() - own_lines(pass);
     if (before >= common) append(TextRules(project, pass, written, before - common).findings_as_written());
     append(inputs_of_one_host(project, pass));
+    append(uniforms_of_others(project, pass));
   }
   return findings;
 }

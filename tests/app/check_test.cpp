@@ -64,6 +64,19 @@ TEST_F(CheckCommand, FindsLoopsWithoutAWayOutAndDoesNotRunThem) {
   EXPECT_EQ(left.status, 0) << left.out << left.err;
 }
 
+TEST_F(CheckCommand, FindsUniformsOfOtherHosts) {
+  folder.write(
+      "m.frag",
+      "uniform float u_time;\nuniform float speed;\nvoid main() { gl_FragColor = vec4(u_time + speed); }\n");
+  const Outcome outcome = run(folder, "check m.frag --size 8x4 --frames 1");
+  EXPECT_NE(outcome.out.find("m.frag:1: portability: 'u_time' is set here as another host sets it"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("m.frag:2: portability: nothing sets the uniform 'speed'"), std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(outcome.err, "shadertwin: m.frag: 4 findings\n");
+}
+
 TEST_F(CheckCommand, FindsNamesOfOneHostOnly) {
   expect_only(check("", "c = vec4(saturate(p.x));"), "a.glsl:3: portability: 'saturate'");
   expect_only(check("", "c = vec4(iFrameRate);"), "a.glsl:3: portability: 'iFrameRate'");
@@ -145,6 +158,17 @@ TEST_F(CheckCommand, ReadsCommonByItself) {
       outcome.out.find("'iTime' : undeclared identifier (shadertoy.com compiles Common by itself, too)"),
       std::string::npos)
       << outcome.out;
+  folder.write(
+      "tabs/image.glsl",
+      "void mainImage(out vec4 c, in vec2 p) { c = vec4(wave(p.x)); }\nfloat later(float x) { return x; }\n");
+  folder.write("tabs/common.glsl", "float later(float x);\nfloat wave(float x) {\n  return later(x);\n}\n");
+  expect_only(run(folder, "check tabs --size 8x4"),
+              "tabs/common.glsl:3: webgl2: 'later' is called but not defined");
+  const Outcome warned = run(folder, "render tabs --size 8x4 -o a.png");
+  EXPECT_EQ(warned.err.rfind("tabs/common.glsl:3: warning: shadertoy.com compiles Common by itself", 0), 0U)
+      << warned.err;
+  EXPECT_EQ(warned.status, 0);
+  folder.write("tabs/image.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(wave(p.x) + T); }\n");
   folder.write("tabs/common.glsl", "float wave(float x) {\n  return 1;\n}\n#define T 0.0\n");
   expect_only(run(folder, "check tabs --size 8x4"), "tabs/common.glsl:2: webgl2: ");
 }

@@ -32,6 +32,24 @@ TEST(FirstPerson, KeysAndADragFlyTheSameWayEveryTime) {
   EXPECT_NEAR(pixel(image, 1, 0).x, std::sin(5 * 0.02618F), 1e-4F);
 }
 
+TEST(OtherHosts, AreToldOfAndWarnedOf) {
+  const ScratchFolder folder;
+  folder.write("s.frag",
+               "uniform float time;\nuniform float speed;\nuniform vec2 mouse;\n"
+               "void main() { gl_FragColor = vec4(time, mouse, 1.0 + speed); }\n");
+  const std::string script = " s.frag --size 8x4 --time 1.5 --mouse 2,1,down --frames 2";
+  const Outcome outcome = run(folder, "render" + script + " -o a.exr");
+  EXPECT_EQ(outcome.err, "s.frag:2: warning: nothing sets the uniform 'speed'\n");
+  const glm::vec4 drawn = pixel(read_image(folder / "a.exr"), 3, 2);
+  EXPECT_EQ(drawn.y, 0.25F);
+  EXPECT_EQ(drawn.z, 0.25F);
+  EXPECT_EQ(run(folder, "render" + script + " -o a.exr --quiet").err, "");
+  const Outcome compared = run(folder, "compare" + script + " --on llvmpipe --on cpu --max-ulp 0");
+  EXPECT_EQ(compared.status, 0) << compared.out << compared.err;
+  EXPECT_EQ(compared.error_lines(), 1) << compared.err;
+  EXPECT_EQ(run(folder, "export s.frag --to html -o s.html").err, outcome.err);
+}
+
 TEST(VertexShader, TwinSaysInOneLineThatItCanNot) {
   const ScratchFolder folder;
   folder.write("v.glsl", "void main() { gl_Position = vec4(0, 0, 0, 1); }\n");

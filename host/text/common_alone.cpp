@@ -1,0 +1,95 @@
+#include "host/text/common_alone.h"
+
+#include <algorithm>
+#include <set>
+
+#include "host/base/error.h"
+#include "host/project/host_rules.h"
+#include "host/text/syntax_tree.h"
+
+namespace shadertwin {
+
+namespace {
+
+// What shadertoy.com puts in front of Common where it compiles it by itself: nothing that a pass has, but for
+// these two.
+constexpr const char* head =
+    "uniform vec4 iDate;\n"
+    "uniform float iSampleRate;\n";
+
+// Finds the first call of a function that is declared only.
+class CallFinder : public glslang::TIntermTraverser {
+ public:
+  explicit CallFinder(const glslang::TIntermAggregate& root) {
+    for (const TIntermNode* node : root.getSequence())
+      if (const glslang::TIntermAggregate* function = node->getAsAggregate();
+          function != nullptr && function->getOp() == glslang::EOpFunction)
+        defined_.insert(function->getName().c_str());
+    const_cast<glslang::TIntermAggregate&>(root).traverse(this);  // it has no const traversal
+  }
+
+  const glslang::TIntermAggregate* found = nullptr;
+
+  bool visitAggregate(glslang::TVisit, glslang::TIntermAggregate* node) override {
+    if (node->getOp() == glslang::EOpFunctionCall && node->isUserDefined() && found == nullptr &&
+        defined_.count(node->getName().c_str()) == 0)
+      found = node;
+    return true;
+  }
+
+ private:
+  std::set<std::string> defined_;
+};
+
+// The first error of a text; empty if it compiles.
+std::string first_error(const Project& project, const PassSource& source) {
+  try {
+    const SyntaxTree tree(project, source, Folding::float32);
+    if (const auto* call = CallFinder(tree.root()).found)
+      return tree.place_of(*call) + ": error: a function is called that is defined elsewhere";
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    return text.substr(0, text.find('\n'));
+  }
+  return "";
+}
+
+}  // namespace
+
+std::size_t own_lines(const Pass& pass) {
+  std::string_view code = pass.code;
+  code = code.substr(0, code.find_last_not_of(" \t") + 1);
+  const auto ends = static_cast<std::size_t>(std::count(code.begin(), code.end(), '\n'));
+  return std::min(ends + (code.empty() || code.back() == '\n' ? 0 : 1), pass.source.lines.size());
+}
+
+std::optional<Pass> common_alone(const Project& project) {
+  if (!host_rules(project).common_stands_alone || project.common.empty()) return std::nullopt;
+  const Pass& pass = project.passes.back();
+  Pass common;
+  common.name = "Common";
+  common.source.head = head;
+  common.source.own_output = true;
+  common.source.tail = "\nvoid main() { }\n";
+  const std::size_t count = pass.source.lines.size() - own_lines(pass);
+  std::size_t end = 0;
+  for (std::size_t line = 0; line < count; ++line)
+    end = std::min(pass.source.body.find('\n', end), pass.source.body.size() - 1) + 1;
+  common.source.body = pass.source.body.substr(0, end);
+  common.source.lines.assign(pass.source.lines.begin(),
+                             pass.source.lines.begin() + static_cast<std::ptrdiff_t>(count));
+  return common;
+}
+
+std::string warning_of_common(const Project& project) {
+  const std::optional<Pass> common = common_alone(project);
+  if (!common) return "";
+  std::string error = first_error(project, common->source);
+  const std::string word = ": error: ";
+  const std::size_t at = error.find(word);
+  if (at == std::string::npos || !first_error(project, project.passes.back().source).empty()) return "";
+  return error.replace(at, word.size(),
+                       ": warning: shadertoy.com compiles Common by itself, too, and refuses it: ");
+}
+
+}  // namespace shadertwin

@@ -1,0 +1,124 @@
+// Shaders written for GLSL Sandbox, The Book of Shaders, glslViewer and their like, on every player. Each
+// paints green where the values are its host's.
+#include "host/text/load.h"
+#include "tests/twin/every_player.h"
+
+namespace shadertwin {
+namespace {
+
+class OtherHosts : public OnEveryPlayer {
+ protected:
+  // What the shader paints at 1.5 s in frame 3, 8x4 pixels, with the mouse held at 2, 1.
+  void expect_green(const std::string& name, const std::string& text, int frames = 1) const {
+    SCOPED_TRACE(name);
+    const Project project = load_project(folder.write(name + ".frag", text));
+    for (const OtherUniform& uniform : project.passes.back().other_uniforms)
+      EXPECT_TRUE(uniform.set) << uniform.name;
+    const auto player = play(project);
+    for (int i = 0; i < frames; ++i) {
+      Frame now = frame(i + 3, 8, 4);
+      now.time = 1.5;
+      now.time_delta = 0.25;
+      now.date = {2024, 0, 31, 100.5F};
+      now.mouse = {2, 1, 2, -1};
+      player->render(now);
+    }
+    const Image image = player->read(static_cast<int>(project.passes.size()) - 1);
+    int wrong = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) wrong += pixel(image, x, y) != glm::vec4(0, 1, 0, 1);
+    EXPECT_EQ(wrong, 0);
+  }
+};
+
+constexpr const char* painted =
+    " gl_FragColor = ok ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, 1.0); }\n";
+
+TEST_P(OtherHosts, GlslSandbox) {
+  expect_green("sandbox", std::string(R"(#ifdef GL_ES
+precision mediump float;
+#endif
+#extension GL_OES_standard_derivatives : enable
+uniform float time;
+uniform vec2 mouse, resolution;
+uniform vec2 surfaceSize;
+varying vec2 surfacePosition;
+float shared_time() { return time * 2.0; }
+void main( void ) {
+  vec2 middle = (gl_FragCoord.xy - vec2(4.0, 2.0)) / 4.0;
+  bool ok = time == 1.5 && shared_time() == 3.0 && resolution == vec2(8.0, 4.0) && mouse == vec2(0.25);
+  ok = ok && surfaceSize == vec2(2.0, 1.0) && surfacePosition == middle;
+)") + painted);
+}
+
+TEST_P(OtherHosts, BookOfShadersAndGlslViewer) {
+  expect_green("book", std::string(R"(#ifdef GL_ES
+precision highp float;
+#endif
+uniform vec2 u_resolution; uniform vec2 u_mouse;
+uniform float u_time; uniform float u_delta;
+uniform vec4 u_date; uniform int u_frame;
+varying vec2 v_texcoord;
+vec2 tile(vec2 u_mouse) { return u_mouse; }
+void main() {
+  bool ok = u_time == 1.5 && u_delta == 0.25 && u_resolution == vec2(8.0, 4.0) && u_mouse == vec2(2.0, 1.0);
+  ok = ok && u_date == vec4(2024.0, 0.0, 31.0, 100.5) && u_frame == 3;
+  ok = ok && v_texcoord == gl_FragCoord.xy / vec2(8.0, 4.0) && tile(vec2(7.0)) == vec2(7.0);
+)") + painted);
+}
+
+TEST_P(OtherHosts, OlderShadertoyPlayersAndOwnTypes) {
+  expect_green("older", std::string(R"(uniform highp vec2 iResolution;
+uniform float iGlobalTime, iFrame;
+uniform vec2
+    iMouse;
+void main() {
+  bool ok = iGlobalTime == 1.5 && iResolution == vec2(8.0, 4.0) && iMouse == vec2(2.0, 1.0) && iFrame == 3.0;
+)") + painted);
+}
+
+TEST_P(OtherHosts, AnOutputOfOnesOwn) {
+  expect_green("own", R"(#version 300 es
+precision highp float;
+uniform float u_time;
+uniform vec3 u_resolution;
+out vec4 color;
+void main() {
+  bool ok = u_time == 1.5 && u_resolution == vec3(8.0, 4.0, 1.0);
+  color = ok ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, 1.0);
+}
+)");
+}
+
+// The last picture, in bytes from 0 to 1, and nothing before the first.
+TEST_P(OtherHosts, BackbufferIsTheLastPictureInBytes) {
+  const std::string text = R"(uniform vec2 resolution;
+uniform sampler2D backbuffer;
+void main() {
+  vec4 last = texture2D(backbuffer, gl_FragCoord.xy / resolution);
+  gl_FragColor = vec4(last.r + 0.31, last.g + 0.6, 0.0, 1.0);
+}
+)";
+  const Project project = load_project(folder.write("back.frag", text));
+  const auto player = play(project);
+  for (int i = 0; i < 3; ++i) player->render(frame(i, 8, 4));
+  const glm::vec4 third = pixel(player->read(0), 5, 2);
+  // 0.31 is 79 of 255, and with 0.31 more 158.
+  EXPECT_FLOAT_EQ(third.r, 158.0F / 255.0F + 0.31F);
+  EXPECT_FLOAT_EQ(third.g, 1.6F);
+}
+
+// As in the extension: these three are set beside mainImage(), too.
+TEST_P(OtherHosts, TheExtensionsThreeBesideMainImage) {
+  expect_green("three", R"(uniform float time; uniform vec2 resolution; uniform vec2 mouse;
+void mainImage(out vec4 color, in vec2 p) {
+  bool ok = time == 1.5 && resolution == vec2(8.0, 4.0) && mouse == vec2(0.25);
+  color = ok ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, 1.0);
+}
+)");
+}
+
+SHADERTWIN_ON_EVERY_PLAYER(OtherHosts);
+
+}  // namespace
+}  // namespace shadertwin
