@@ -165,6 +165,7 @@ struct Project {
   // and the pass's name.
   std::vector<std::string> files;
   std::vector<std::string> warnings;  // `file:line: warning: text`
+  std::vector<SourceLine> versions;   // where the files had a #version, which the passes have not
   std::string json;                   // the document that the project was read from; else empty
 };
 

@@ -59,7 +59,9 @@ void TextLoader::append_text(const std::string& text, const std::string& name, c
     if (directive.kind == Directive::Kind::include) {
       body.break_line();
       include(directive, name, file, body, found);
-    } else if (directive.kind != Directive::Kind::version) {
+    } else if (directive.kind == Directive::Kind::version) {
+      project_.versions.push_back({index, directive.line});
+    } else {
       found.push_back({directive, file});
     }
     // A directive of several lines leaves as many behind, so that the next ones keep their numbers.

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "reference/check/parsed_pass.h"
 #include "reference/check/rules.h"
@@ -43,37 +45,198 @@ class ExitFinder : public TIntermTraverser {
   int depth_ = 0;
 };
 
-// ANGLE refuses `for` and `while` without an end, also those that only `discard` ends, and takes `do`.
-bool browsers_refuse(const TIntermLoop& loop) {
-  return loop.testFirst();
+// Whether a value is one that leaves a variable as it is when it is added, multiplied ... to it.
+bool has_no_effect(TOperator op, const TIntermTyped& value) {
+  const TIntermConstantUnion* constant = value.getAsConstantUnion();
+  if (constant == nullptr) return false;
+  double wanted = 0.0;
+  switch (op) {
+    case EOpAddAssign:
+    case EOpSubAssign:
+    case EOpInclusiveOrAssign:
+    case EOpExclusiveOrAssign:
+    case EOpLeftShiftAssign:
+    case EOpRightShiftAssign:
+      break;
+    case EOpMulAssign:
+    case EOpVectorTimesScalarAssign:
+    case EOpDivAssign:
+      wanted = 1.0;
+      break;
+    default:
+      return false;
+  }
+  const TConstUnionArray& values = constant->getConstArray();
+  for (int i = 0; i < values.size(); ++i) {
+    const TConstUnion& each = values[i];
+    const double number = each.getType() == EbtInt    ? each.getIConst()
+                          : each.getType() == EbtUint ? each.getUConst()
+                                                      : each.getDConst();
+    if (number != wanted) return false;
+  }
+  return true;
+}
+
+// The variables that a round of a loop changes.
+class ChangeFinder : public TIntermTraverser {
+ public:
+  explicit ChangeFinder(const emit::Program& program) : program_(program) {}
+
+  std::set<emit::SymbolId> changed;
+
+  bool visitBinary(TVisit, TIntermBinary* node) override {
+    if (node->modifiesState() && !has_no_effect(node->getOp(), *node->getRight()) && !is_itself(*node))
+      add(*node->getLeft());
+    return true;
+  }
+  bool visitUnary(TVisit, TIntermUnary* node) override {
+    if (node->modifiesState()) add(*node->getOperand());
+    return true;
+  }
+  bool visitAggregate(TVisit, TIntermAggregate* node) override {
+    // What a call changes; of other nodes the parts are asked.
+    if (node->getOp() == EOpFunctionCall || node->modifiesState()) {
+      const auto& writes = program_.effects(*node).writes;
+      changed.insert(writes.begin(), writes.end());
+    }
+    return true;
+  }
+
+ private:
+  void add(const TIntermTyped& lvalue) {
+    if (const TIntermSymbol* symbol = emit::base_symbol(lvalue)) changed.insert(symbol->getId());
+  }
+  // `x = x`
+  static bool is_itself(const TIntermBinary& node) {
+    const TIntermSymbol* left = node.getLeft()->getAsSymbolNode();
+    const TIntermSymbol* right = node.getRight()->getAsSymbolNode();
+    return node.getOp() == EOpAssign && left != nullptr && right != nullptr &&
+           left->getId() == right->getId();
+  }
+
+  const emit::Program& program_;
+};
+
+// Whether no round of the loop changes anything that its condition reads.
+bool stands_still(const emit::Program& program, const TIntermLoop& loop) {
+  if (loop.getTest() == nullptr || loop.getTest()->getAsConstantUnion() != nullptr) return false;
+  ChangeFinder finder(program);
+  for (TIntermNode* part : {loop.getBody(), static_cast<TIntermNode*>(loop.getTerminal()),
+                            static_cast<TIntermNode*>(const_cast<TIntermTyped*>(loop.getTest()))})
+    if (part != nullptr) part->traverse(&finder);
+  // A call may discard.
+  if (finder.changed.count(emit::Program::control_flow) != 0) return false;
+  const auto& reads = program.effects(*loop.getTest()).reads;
+  return std::none_of(reads.begin(), reads.end(),
+                      [&](emit::SymbolId id) { return finder.changed.count(id) != 0; });
+}
+
+// Counts what writes each variable of a shader, and finds those whose declaration says `= true`.
+class TrueVariables : public TIntermTraverser {
+ public:
+  explicit TrueVariables(const emit::Program& program) : program_(program) {
+    const_cast<TIntermAggregate&>(program.tree().root()).traverse(this);  // it has no const traversal
+  }
+
+  // Whether nothing but its declaration, which makes it true, writes it.
+  bool stays_true(emit::SymbolId id) const {
+    const auto found = writes_.find(id);
+    return true_.count(id) != 0 && found != writes_.end() && found->second == 1;
+  }
+
+  bool visitBinary(TVisit, TIntermBinary* node) override {
+    if (!node->modifiesState()) return true;
+    const TIntermSymbol* symbol = emit::base_symbol(*node->getLeft());
+    if (symbol == nullptr) return true;
+    ++writes_[symbol->getId()];
+    const TIntermConstantUnion* value = node->getRight()->getAsConstantUnion();
+    const bool is_true = symbol->getBasicType() == EbtBool && symbol->getType().isScalar() &&
+                         value != nullptr && value->getConstArray()[0].getBConst();
+    if (is_true && is_declared_by(*symbol)) true_.insert(symbol->getId());
+    return true;
+  }
+  bool visitUnary(TVisit, TIntermUnary* node) override {
+    if (const TIntermSymbol* symbol = emit::base_symbol(*node->getOperand());
+        node->modifiesState() && symbol != nullptr)
+      ++writes_[symbol->getId()];
+    return true;
+  }
+  bool visitAggregate(TVisit, TIntermAggregate* node) override {
+    const TQualifierList& how = node->getQualifierList();
+    for (std::size_t i = 0; i < how.size() && i < node->getSequence().size(); ++i) {
+      const TIntermTyped* argument = node->getSequence()[i]->getAsTyped();
+      if (argument == nullptr || !emit::is_out(how[i])) continue;
+      if (const TIntermSymbol* symbol = emit::base_symbol(*argument)) ++writes_[symbol->getId()];
+    }
+    return true;
+  }
+
+ private:
+  bool is_declared_by(const TIntermSymbol& symbol) const {
+    const int token = program_.tree().token_of(symbol);
+    const auto& variables = program_.tree().declarations().variables();
+    return std::any_of(variables.begin(), variables.end(), [&](const Variable& variable) {
+      return variable.name == token && variable.initialised;
+    });
+  }
+
+  const emit::Program& program_;
+  std::map<emit::SymbolId, int> writes_;
+  std::set<emit::SymbolId> true_;
+};
+
+// The variable that a condition is, or ends in behind commas; null for what is more than a variable.
+const TIntermSymbol* bare_variable(const TIntermTyped* condition) {
+  while (condition != nullptr) {
+    const TIntermAggregate* comma = condition->getAsAggregate();
+    if (comma == nullptr || comma->getOp() != EOpComma) return condition->getAsSymbolNode();
+    condition = comma->getSequence().back()->getAsTyped();
+  }
+  return nullptr;
 }
 
 class LoopCollector : public TIntermTraverser {
  public:
-  std::vector<const TIntermLoop*> endless;
+  explicit LoopCollector(const emit::Program& program) : program_(program), true_variables_(program) {}
 
+  std::vector<const TIntermLoop*> refused;   // by browsers
+  std::vector<const TIntermLoop*> endless;   // that browsers take
+  std::vector<const TIntermLoop*> standing;  // their condition does not change
+
+  // ANGLE refuses `for` and `while` without an end, also those that only `discard` ends, and takes `do`. Of
+  // conditions it knows `true` and variables that are true in the whole shader.
   bool visitLoop(TVisit, TIntermLoop* loop) override {
-    ExitFinder exits(!browsers_refuse(*loop));
+    const TIntermSymbol* variable = bare_variable(loop->getTest());
+    const bool stays_true = variable != nullptr && true_variables_.stays_true(variable->getId());
+    const bool goes_on = always_goes_on(*loop) || (stays_true && loop->testFirst());
+    ExitFinder exits(!goes_on || !loop->testFirst());
     if (loop->getBody() != nullptr) loop->getBody()->traverse(&exits);
-    if (always_goes_on(*loop) && !exits.found) endless.push_back(loop);
+    if (exits.found) return true;
+    if (goes_on)
+      (loop->testFirst() ? refused : endless).push_back(loop);
+    else if (stands_still(program_, *loop))
+      standing.push_back(loop);
     return true;
   }
+
+ private:
+  const emit::Program& program_;
+  TrueVariables true_variables_;
 };
 
 }  // namespace
 
 std::vector<Finding> endless_loops(const ParsedPass& parsed) {
-  LoopCollector loops;
+  LoopCollector loops(parsed.program);
   const_cast<TIntermAggregate&>(parsed.tree.root()).traverse(&loops);  // it has no const traversal
   std::vector<Finding> findings;
-  for (const TIntermLoop* loop : loops.endless) {
-    const SourceLine at = parsed.tree.line_of(*loop);
-    findings.push_back(
-        browsers_refuse(*loop)
-            ? make_finding(parsed.project, parsed.pass, at, "webgl2",
-                           "no break or return leaves this loop: browsers refuse it")
-            : make_finding(parsed.project, parsed.pass, at, "loop", "nothing leaves this loop"));
-  }
+  const auto tell = [&](const std::vector<const TIntermLoop*>& found, const char* kind, const char* text) {
+    for (const TIntermLoop* loop : found)
+      findings.push_back(make_finding(parsed.project, parsed.pass, parsed.tree.line_of(*loop), kind, text));
+  };
+  tell(loops.refused, "webgl2", "no break or return leaves this loop: browsers refuse it");
+  tell(loops.endless, "loop", "nothing leaves this loop");
+  tell(loops.standing, "loop", "no round of this loop changes its condition: it never ends");
   return findings;
 }
 

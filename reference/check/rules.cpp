@@ -77,12 +77,14 @@ Reading read_rules(const Project& project) {
   reading.can_run = errors.empty();
   append(errors);
   append(common_errors(project, errors));
+  append(macro_rules(project));
   if (reading.can_run) {
     for (const ParsedPass& parsed : passes) {
       const Storage storage = measure_storage(parsed.tree);
       reading.can_run &= storage.large.empty() && storage.variables <= most_components_together;
       append(browser_limits(parsed));
       append(unwritten_outputs(parsed));
+      append(evaluation_order(parsed));
       const std::vector<Finding> endless = endless_loops(parsed);
       reading.can_run &= endless.empty();
       append(endless);

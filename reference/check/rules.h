@@ -22,13 +22,23 @@ std::vector<Finding> common_errors(const Project& project, const std::vector<Fin
 // host refuses). Text inside #ifdef SHADER_TOY is for local hosts, so the site's rules don't hold there.
 std::vector<Finding> text_rules(const Project& project);
 
-// Loops without an end, a break, a return or a discard, which browsers refuse, kind `webgl2`.
+// Loops without an end, a break, a return or a discard, which browsers refuse, kind `webgl2`; and those whose
+// condition stays what it is in every round, kind `loop`.
 std::vector<Finding> endless_loops(const ParsedPass& parsed);
 
 // Variables that are larger than browsers allow, inputs that no vertex shader gives, and `?:`, commas and
 // labels between types that browsers don't take there, kind `webgl2`. A local variable that nothing uses is
 // not seen.
 std::vector<Finding> browser_limits(const ParsedPass& parsed);
+
+// Expressions that read a variable and change it, in operands or arguments that compilers evaluate in
+// different orders, kind `portability`.
+std::vector<Finding> evaluation_order(const ParsedPass& parsed);
+
+// Macros that preprocessors other than browsers' expand differently, kind `portability`: those that name
+// themselves where they are another one's argument, and those that open an invocation which the text behind
+// them closes.
+std::vector<Finding> macro_rules(const Project& project);
 
 // `out` parameters that some path through their function leaves unwritten, kind `out`. A loop counts as if
 // its body ran.

@@ -310,10 +310,23 @@ std::vector<Finding> uniforms_of_others(const Project& project, const Pass& pass
   return findings;
 }
 
+// #version, which both hosts have put in front of all by then: the site refuses another one, the extension
+// all but the very first line.
+std::vector<Finding> versions(const Project& project) {
+  const bool site = project.dialect == Dialect::shadertoy;
+  std::vector<Finding> findings;
+  for (const SourceLine& at : project.versions)
+    findings.push_back(make_finding(
+        project, project.passes.back(), at, site || at.line > 1 ? "webgl2" : "portability",
+        site || at.line == 1 ? "#version is shadertoy.com's own, which refuses another one"
+                             : "the VS Code extension refuses a #version behind the first line"));
+  return findings;
+}
+
 }  // namespace
 
 std::vector<Finding> text_rules(const Project& project) {
-  std::vector<Finding> findings;
+  std::vector<Finding> findings = versions(project);
   const auto append = [&](std::vector<Finding> more) {
     std::move(more.begin(), more.end(), std::back_inserter(findings));
   };

@@ -64,6 +64,95 @@ TEST_F(CheckCommand, FindsLoopsWithoutAWayOutAndDoesNotRunThem) {
   EXPECT_EQ(left.status, 0) << left.out << left.err;
 }
 
+TEST_F(CheckCommand, FindsLoopsWhoseConditionNothingChanges) {
+  const std::string text = "loop: no round of this loop changes its condition";
+  for (const std::string loop :
+       {"bool on = p.x > -1.0; while (on) {}", "bool on = true; do c.x += 1.0; while (on);",
+        "int i = 0; while (i < 10) c.x += 1.0;", "for (int i = 0; i < 10; i += 0) c.x += 1.0;",
+        "for (float x = 1.0; x < 2.0; x *= 1.0) c.x += x;", "for (int i = 0, n = 0; i < 3; ++n) c.x += 1.0;",
+        "float y = p.y; while (y > -1.0) { y = y; c.x += 1.0; }", "while (more()) c.x += 1.0;",
+        "int a = 0; for (; a < 5;) { int a = 9; a += 1; }",
+        "while (p.x > -1.0) { if (c.x > 5.0) c.x = 0.0; c.x += 1.0; }",
+        "uint u = 1u; while (u != 0u) u <<= 0;"})
+    expect_only(check("bool on_ = true; bool more() { return on_; }", "c = vec4(0.0);\n" + loop),
+                "a.glsl:4: " + text);
+}
+
+TEST_F(CheckCommand, LeavesLoopsThatChangeTheirConditionAlone) {
+  const Outcome outcome = check("int k = 0; int next() { return ++k; } void step_(inout int n) { n += 2; }",
+                                "c = vec4(0.0); int i = 0, n = 0; bool on = true, off = p.x < -1.0;\n"
+                                "while (on) { c.x += 1.0; on = c.x < 3.0; }\n"
+                                "on = true; while (on) { if (c.x++ > 3.0) break; }\n"
+                                "while (i++ < 10) c.x += 1.0;\n"
+                                "for (float x = 1.0; x < 9.0; x *= 2.0) c.x += x;\n"
+                                "while (n < 5) step_(n);\n"
+                                "while (next() < 4) c.x += 1.0;\n"
+                                "while (off) return;\n"
+                                "int list[2] = int[2](0, 0); while (list[0] < 4) list[0] += 1;\n");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
+TEST_F(CheckCommand, FindsVersionsInTabs) {
+  folder.write("tabs/image.glsl",
+               "#version 300 es\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }\n");
+  expect_only(run(folder, "check tabs --size 8x4"),
+              "tabs/image.glsl:1: webgl2: #version is shadertoy.com's own");
+  folder.write(
+      "toy.json",
+      R"({"Shader": {"ver": "0.1", "info": {"id": "x"}, "renderpass": [{"type": "image", "name": "Image",
+      "inputs": [], "outputs": [], "code": "\n#version 300 es\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }"}]}})");
+  expect_only(run(folder, "check toy.json --size 8x4"), "toy.json:Image:2: webgl2: ");
+  expect_only(check("#version 300 es", "c = vec4(1.0);"),
+              "a.glsl:1: portability: #version is shadertoy.com's own");
+  expect_only(check("\n#version 300 es", "c = vec4(1.0);"),
+              "a.glsl:2: webgl2: the VS Code extension refuses a #version");
+}
+
+TEST_F(CheckCommand, FindsMacrosThatPreprocessorsExpandDifferently) {
+  expect_only(check("#define ID(x) x\n#define iTime (iTime + 2.0)", "c = vec4(ID(iTime));"),
+              "a.glsl:4: portability: macro 'iTime' names itself");
+  // By way of another one.
+  expect_only(check("#define ID(x) x\n#define iTime (later * 2.0)\n#define later (iTime + 1.0)",
+                    "c = vec4(ID(iTime));"),
+              "a.glsl:5: portability: macro 'iTime' names itself");
+  expect_only(check("#define take(x) x\n#define open take((1.0)", "c = vec4(open));"),
+              "a.glsl:2: portability: macro 'open' opens an invocation");
+  const Outcome fine = check("#define ID(x) x\n#define max(a, b) max(a, float(b))\n#define two() ID((2.0))",
+                             "c = vec4(max(1.0, 0) * ID(two()));");
+  EXPECT_EQ(fine.status, 0) << fine.out << fine.err;
+}
+
+constexpr const char* functions_with_effects =
+    "int n = 0; int next() { return ++n; } float doubled(inout float x) { x *= 2.0; return x; } void "
+    "add(inout "
+    "float a, float b) { a += b; } float pair(int a, int b) { return float(a + b); }";
+
+TEST_F(CheckCommand, FindsWhatDependsOnTheOrderOfEvaluation) {
+  const std::vector<std::string> statements = {"c.x = pair(i++, i);",         "c.x = float(i + i++);",
+                                               "a[k] = float(k++);",          "add(x, doubled(x));",
+                                               "c.x = float(n * next());",    "x += doubled(x);",
+                                               "c.xy = vec2(x, doubled(x));", "c.x = a[k] + float(k = 1);"};
+  std::string text = "c = vec4(0.0); int i = 1, k = 0; float x = p.x; float a[3] = float[3](1.0, 2.0, 3.0);";
+  for (const std::string& statement : statements) text += '\n' + statement;
+  const Outcome outcome = check(functions_with_effects, text);
+  for (std::size_t i = 0; i < statements.size(); ++i)
+    EXPECT_NE(outcome.out.find("a.glsl:" + std::to_string(i + 4) + ": portability: '"), std::string::npos)
+        << statements[i] << '\n'
+        << outcome.out;
+}
+
+TEST_F(CheckCommand, LeavesOrdersThatAreTheTextsAlone) {
+  const Outcome outcome = check(functions_with_effects,
+                                "c = vec4(0.0); int i = 1; float x = 1.0; float a[2] = float[2](1.0, 2.0);\n"
+                                "c.x = float(i++); c.y = float(i);\n"
+                                "c.xy = vec2(doubled(x), doubled(x));\n"
+                                "float z = doubled(c.x), y = (x = 2.0, x); c.x = y + z;\n"
+                                "bool b = i++ < 1 && i == 1; c.x = b ? float(i++) : float(i);\n"
+                                "x = doubled(x); c.x = x;\n"
+                                "i = 0; c.x = a[i++] + a[0];\n");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
 TEST_F(CheckCommand, FindsUniformsOfOtherHosts) {
   folder.write(
       "m.frag",
