@@ -186,10 +186,10 @@ Choices find_choices(const SyntaxTree& tree) {
 }  // namespace
 
 std::optional<PassSource> define_undefined(const Project& project, const PassSource& source) {
-  throw_if_refused(source);
   const std::optional<SyntaxTree> tree = parsed(project, source);
   if (tree) measure_allowed_storage(*tree);
   try {
+    throw_if_refused(source);
     const std::vector<PlainToken> tokens = tree ? tree->tokens() : split_tokens(render(source));
     const Declarations declarations(tokens);
     DefinedText text(tokens, declarations);

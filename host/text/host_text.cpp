@@ -57,8 +57,7 @@ void add_channels(Head& head, const Project& project, const Pass& pass, int chan
                  "iChannel" + std::to_string(i));
 }
 
-void add_uniforms(Head& head, const Project& project, const Pass& pass) {
-  const HostRules rules = host_rules(project);
+void add_uniforms(Head& head, const HostRules& rules, const Project& project, const Pass& pass) {
   if (pass.kind == PassKind::sound) {
     head.uniform("float", "iTimeOffset");
     head.uniform("int", "iSampleOffset");
@@ -136,7 +135,7 @@ void wrap_vertex(const Project& project, const Pass& pass, PassSource& source) {
   const std::vector<Token> tokens = tokenize(source.body);
   if (!find_entry_points(tokens).main) fail_in(project, pass, source, "a vertex shader needs a main()");
   Head head(tokens);
-  add_uniforms(head, project, pass);
+  add_uniforms(head, host_rules(project), project, pass);
   source.head = head.take();
 }
 
@@ -145,8 +144,8 @@ void wrap_vertex(const Project& project, const Pass& pass, PassSource& source) {
 std::string host_uniforms(const Project& project, const Pass& pass) {
   const std::vector<Token> none;
   Head head(none);
-  add_shadertoy(head, project, pass);
-  add_vscode(head, project, pass);
+  for (const Dialect dialect : {Dialect::shadertoy, Dialect::vscode})
+    add_uniforms(head, host_rules(dialect), project, pass);
   return head.take();
 }
 
@@ -162,7 +161,7 @@ void write_host_text(const Project& project, Pass& pass, bool vr) {
   const std::optional<MainText> main = choose_main(project, pass, entry, vr, asserts);
 
   Head head(tokens);
-  add_uniforms(head, project, pass);
+  add_uniforms(head, host_rules(project), project, pass);
   pass.source.own_output = entry.output_line > 0;
   if (main && pass.source.own_output) {
     throw_if_refused(pass.source);

@@ -9,9 +9,7 @@ namespace shadertwin {
 
 Project load_project(const std::filesystem::path& shader, const LoadOptions& options) {
   Project project = read_project(shader, options);
-  const auto canonicalise_body = [&](PassSource& source) {
-    source.body = canonicalise(source.body);
-  };
+  const auto canonicalise_body = [&](PassSource& source) { source.body = canonicalise(source.body); };
   for (std::size_t i = 0; i < project.passes.size(); ++i) {
     Pass& pass = project.passes[i];
     resolve_macros(project, pass.source, Stage::fragment);

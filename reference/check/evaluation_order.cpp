@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "reference/check/rules.h"
 #include "reference/check/parsed_pass.h"
+#include "reference/check/rules.h"
 
 namespace shadertwin::check {
 namespace {

@@ -86,6 +86,35 @@ TEST_F(BadInput, Shaders) {
   expect(3, "syntax.glsl", {"syntax.glsl:2: error:", "unknown"});
 }
 
+// What browsers refuse before a compiler sees it, and compilers here would crash or never end on.
+TEST_F(BadInput, ShadersThatAreTooLarge) {
+  const auto image = [this](const std::string& name, const std::string& globals, const std::string& body) {
+    folder.write(name, globals + "void mainImage(out vec4 c, in vec2 p) {\n" + body + "c = vec4(x);\n}\n");
+  };
+  const std::string index = "int n = int(p.x);\n";
+  image("local.glsl", "", "float a[140000];\n" + index + "a[n] = 1.; float x = a[n];\n");
+  image("global.glsl", "const int size = 400;\nvec4 a[size * size];\n",
+        index + "a[n] = vec4(1.); float x = a[n].x;\n");
+  image("struct.glsl", "struct S { mat4 m[40]; }; struct T { S s[40]; };\n",
+        "T t;\n" + index + "t.s[n].m[n][0][0] = 1.; float x = t.s[n].m[n][0][0];\n");
+  std::string many;
+  for (int i = 0; i < 300; ++i) many += "float a" + std::to_string(i) + "[16000];\n";
+  std::string uses = index + "float x = 0.;\n";
+  for (int i = 0; i < 300; ++i) uses += "a" + std::to_string(i) + "[n] = 1.;\n";
+  image("many.glsl", many, uses);
+  std::string terms = "float x = p.x";
+  for (int i = 0; i < 20000; ++i) terms += "+p.x";
+  image("terms.glsl", "", terms + ";\n");
+  for (const char* on :
+       {"--on llvmpipe", "--on llvmpipe --init raw", "--on llvmpipe --precise", "--on cpu"}) {
+    expect(3, std::string("local.glsl ") + on, {"local.glsl:2: error: 'a' has 64 KB or more"});
+    expect(3, std::string("global.glsl ") + on, {"global.glsl:2: error: 'a' has 64 KB or more"});
+    expect(3, std::string("struct.glsl ") + on, {"struct.glsl:3: error: 't' has 64 KB or more"});
+    expect(3, std::string("many.glsl ") + on, {"error: the variables of the shader have more than 16 MB"});
+    expect(3, std::string("terms.glsl ") + on, {"terms.glsl:2: error: ", "nested more than 4000 deep"});
+  }
+}
+
 TEST_F(BadInput, Pictures) {
   const auto shader = [&](const std::string& name) {
     folder.write("t.glsl", "#iChannel0 \"" + name + "\"\n" + plain);

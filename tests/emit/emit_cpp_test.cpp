@@ -43,7 +43,9 @@ TEST(EmitCpp, NamesOfFilesStayInsideTheirQuotes) {
   const ScratchFolder folder;
   Project project = load_project(
       folder.write("shader.glsl", "void mainImage(out vec4 c, in vec2 p) {\n  c = p.xyxy;\n}\n"));
-  project.files[0] = "a\n#error planted\r\n\"\\\t\x01?" "?/.glsl";
+  project.files[0] =
+      "a\n#error planted\r\n\"\\\t\x01?"
+      "?/.glsl";
   const std::string text = emit_cpp(project, project.passes.back());
   EXPECT_EQ(text.find("\n#error"), std::string::npos);
   EXPECT_NE(text.find("#line 2 \"a\\012\\043error planted\\015\\012\\042\\134\\011\\001\\077\\077/.glsl\"\n"),

@@ -1,5 +1,5 @@
 #version 300 es
-precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
+precision highp float; precision highp int; int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; } int shadertwin_safe_modulo(int a, int b) { int d = b == 0 || b == -1 ? 1 : b, r = a - a / d * d; return b == 0 ? -1 : r; } int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -31,17 +31,17 @@ float table [ 6 ] = float[6](0.0, 0.0, 0.0, 0.0, 0.0, 0.0) ;
 float total ( float v [ 6 ] ) { v [ 0 ] = 100.0 ; float s = 0.0 ; for ( int i = 0 ; i < v . length ( ) ; i ++ ) s += v [ i ] ; return s ; }
 float [ 2 ] both ( float a ) { return float [ ] ( a , a * a ) ; }
 void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
-int k = int ( p . x ) % 8 ;
+int k = shadertwin_safe_modulo(int ( shadertwin_safe_int(p . x) ) , 8) ;
 for ( int i = 0 ; i < 6 ; ++ i ) table [ i ] = float ( i * i ) ;
 const float weights [ ] = float [ ] ( 0.25 , 0.5 , 0.125 ) ;
 float w = 0.0 ;
 for ( int i = 0 ; i < weights . length ( ) ; i ++ ) w += weights [shadertwin_at( i , 2)] * float ( i + 1 ) ;
 float local [ 3 ] = float[3](0.0, 0.0, 0.0) ;
-local [shadertwin_at(( k % 3 ), 2)] = 2.0 ;
+local [shadertwin_at(( shadertwin_safe_modulo(k , 3) ), 2)] = 2.0 ;
 float copy [ 3 ] = local ;
 copy [ 0 ] += 1.0 ;
 vec2 turned = turns [shadertwin_at(( k & 1 ), 1)] * vec2 ( 1.0 , 2.0 ) ;
-color = vec4 ( palette [shadertwin_at(( clamp ( k , 0 , 3 ) ), 3)] [shadertwin_at(( k % 3 ), 2)] , float ( steps [shadertwin_at(( k % 5 ), 4)] ) + total ( table ) * 16.0 , w + both ( p . y ) [ 1 ] , turned . x ) ;
+color = vec4 ( palette [shadertwin_at(( clamp ( k , 0 , 3 ) ), 3)] [shadertwin_at(( shadertwin_safe_modulo(k , 3) ), 2)] , float ( steps [shadertwin_at(( shadertwin_safe_modulo(k , 5) ), 4)] ) + total ( table ) * 16.0 , w + both ( p . y ) [ 1 ] , turned . x ) ;
 if ( p . y > 3.0 ) color = vec4 ( local [ 0 ] + local [ 1 ] , copy [ 0 ] , copy == local ? 1.0 : 0.0 , table [ 5 ] ) ;
 }
 void main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

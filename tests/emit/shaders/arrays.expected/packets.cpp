@@ -22,6 +22,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 68;
 
 #line 6 "tests/emit/shaders/arrays.glsl"
   Float total(Bool active, array<Float, 6> v) {
@@ -39,7 +40,7 @@ struct Shader : Invocation {
     return s;
 #line 6 "tests/emit/shaders/arrays.glsl"
   }
-#line 43 "twin.cpp"
+#line 44 "twin.cpp"
 
 #line 7 "tests/emit/shaders/arrays.glsl"
   array<Float, 2> both(Bool active, Float a) {
@@ -47,7 +48,7 @@ struct Shader : Invocation {
     return array<Float, 2>{{a, a * a}};
 #line 7 "tests/emit/shaders/arrays.glsl"
   }
-#line 51 "twin.cpp"
+#line 52 "twin.cpp"
 
 #line 8 "tests/emit/shaders/arrays.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -87,7 +88,7 @@ struct Shader : Invocation {
     }
 #line 20 "tests/emit/shaders/arrays.glsl"
   }
-#line 91 "twin.cpp"
+#line 92 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -15,6 +15,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 33;
 
 #line 2 "tests/emit/shaders/bits.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -81,7 +82,7 @@ struct Shader : Invocation {
     }
 #line 15 "tests/emit/shaders/bits.glsl"
   }
-#line 85 "twin.cpp"
+#line 86 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -24,6 +24,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 119;
 
 #line 14 "tests/emit/shaders/const_folding.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -57,7 +58,7 @@ struct Shader : Invocation {
     }
 #line 25 "tests/emit/shaders/const_folding.glsl"
   }
-#line 61 "twin.cpp"
+#line 62 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,5 +1,5 @@
 #version 300 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; uint shadertwin_safe_uint(float x) { uint r = uint(x); return x >= 4294967296.0 ? 4294967295u : x > 0.0 ? r : 0u; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -50,7 +50,7 @@ return at ;
 uvec4 mixed ( uvec4 sum , vec4 color ) { return ( sum ^ floatBitsToUint ( color ) ) * 0x9e3779b1u ; }
 
 void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
-uint pixel = uint ( p . x ) + 64u * uint ( p . y ) ;
+uint pixel = uint ( shadertwin_safe_uint(p . x) ) + 64u * uint ( shadertwin_safe_uint(p . y) ) ;
 uvec4 sum = uvec4 ( 0u ) ;
 vec3 d = vec3 ( 1.0 ) ;
 for ( uint i = 0u ; i < 48u ; i ++ ) {

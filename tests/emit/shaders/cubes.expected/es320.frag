@@ -1,5 +1,5 @@
 #version 320 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; uint shadertwin_safe_uint ( precise float x ) { precise bool shadertwin_test; precise uint shadertwin_result; precise uint r = uint ( x ) ; return (shadertwin_result = (x >= 4294967296.0 ? 4294967295u : x > 0.0 ? r : 0u)) ; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -50,7 +50,7 @@ return (shadertwin_result = (at)) ;
 uvec4 mixed ( precise uvec4 sum , precise vec4 color ) { precise bool shadertwin_test; precise uvec4 shadertwin_result; return (shadertwin_result = (( sum ^ floatBitsToUint ( color ) ) * 0x9e3779b1u)) ; }
 
 void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
-precise uint pixel = uint ( p . x ) + 64u * uint ( p . y ) ;
+precise uint pixel = uint ( shadertwin_safe_uint ( p . x ) ) + 64u * uint ( shadertwin_safe_uint ( p . y ) ) ;
 precise uvec4 sum = uvec4 ( 0u ) ;
 precise vec3 d = vec3 ( 1.0 ) ;
 for ( precise uint i = 0u ; (shadertwin_test = (i < 48u)) ; i ++ ) {

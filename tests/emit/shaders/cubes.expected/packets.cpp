@@ -17,6 +17,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = true;
   static constexpr bool uses_implicit_lod__ = true;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 38;
 
 #line 7 "tests/emit/shaders/cubes.glsl"
   Uint hash(Bool active, Uint x) {
@@ -27,7 +28,7 @@ struct Shader : Invocation {
     return x ^ x >> 16;
 #line 12 "tests/emit/shaders/cubes.glsl"
   }
-#line 31 "twin.cpp"
+#line 32 "twin.cpp"
 
 #line 14 "tests/emit/shaders/cubes.glsl"
   Float signed_fraction(Bool active, Uint x) {
@@ -35,7 +36,7 @@ struct Shader : Invocation {
     return make<Float>(make<Int>(hash(active, x)) >> 8) * 1.1920929e-07f;
 #line 14 "tests/emit/shaders/cubes.glsl"
   }
-#line 39 "twin.cpp"
+#line 40 "twin.cpp"
 
 #line 17 "tests/emit/shaders/cubes.glsl"
   vec3 direction(Bool active, Uint n) {
@@ -67,7 +68,7 @@ struct Shader : Invocation {
     return result;
 #line 23 "tests/emit/shaders/cubes.glsl"
   }
-#line 71 "twin.cpp"
+#line 72 "twin.cpp"
 
 #line 25 "tests/emit/shaders/cubes.glsl"
   uvec4 mixed(Bool active, uvec4 sum, vec4 color) {
@@ -75,7 +76,7 @@ struct Shader : Invocation {
     return (sum ^ floatBitsToUint(color)) * 2654435761u;
 #line 25 "tests/emit/shaders/cubes.glsl"
   }
-#line 79 "twin.cpp"
+#line 80 "twin.cpp"
 
 #line 27 "tests/emit/shaders/cubes.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -118,7 +119,7 @@ struct Shader : Invocation {
     set__(active, color, make<vec4>(shift_right(sum, Int(8))) * 5.9604645e-08f);
 #line 40 "tests/emit/shaders/cubes.glsl"
   }
-#line 122 "twin.cpp"
+#line 123 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

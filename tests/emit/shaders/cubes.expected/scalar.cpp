@@ -17,6 +17,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = true;
   static constexpr bool uses_implicit_lod__ = true;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 38;
 
 #line 7 "tests/emit/shaders/cubes.glsl"
   uint hash(uint x) {
@@ -27,7 +28,7 @@ struct Shader : Invocation {
     return x ^ x >> 16;
 #line 12 "tests/emit/shaders/cubes.glsl"
   }
-#line 31 "twin.cpp"
+#line 32 "twin.cpp"
 
 #line 14 "tests/emit/shaders/cubes.glsl"
   Float signed_fraction(uint x) {
@@ -35,7 +36,7 @@ struct Shader : Invocation {
     return Float(int(hash(x)) >> 8) * 1.1920929e-07f;
 #line 14 "tests/emit/shaders/cubes.glsl"
   }
-#line 39 "twin.cpp"
+#line 40 "twin.cpp"
 
 #line 17 "tests/emit/shaders/cubes.glsl"
   vec3 direction(uint n) {
@@ -55,7 +56,7 @@ struct Shader : Invocation {
     return at_;
 #line 23 "tests/emit/shaders/cubes.glsl"
   }
-#line 59 "twin.cpp"
+#line 60 "twin.cpp"
 
 #line 25 "tests/emit/shaders/cubes.glsl"
   uvec4 mixed(uvec4 sum, vec4 color) {
@@ -63,7 +64,7 @@ struct Shader : Invocation {
     return (sum ^ floatBitsToUint(color)) * 2654435761u;
 #line 25 "tests/emit/shaders/cubes.glsl"
   }
-#line 67 "twin.cpp"
+#line 68 "twin.cpp"
 
 #line 27 "tests/emit/shaders/cubes.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -90,7 +91,7 @@ struct Shader : Invocation {
     color = make<vec4>(shift_right(sum, 8)) * 5.9604645e-08f;
 #line 40 "tests/emit/shaders/cubes.glsl"
   }
-#line 94 "twin.cpp"
+#line 95 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

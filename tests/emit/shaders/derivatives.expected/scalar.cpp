@@ -15,6 +15,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = true;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 21;
 
 #line 2 "tests/emit/shaders/derivatives.glsl"
   Float grid(vec2 p) {
@@ -24,7 +25,7 @@ struct Shader : Invocation {
     return w.x + w.y;
 #line 2 "tests/emit/shaders/derivatives.glsl"
   }
-#line 28 "twin.cpp"
+#line 29 "twin.cpp"
 
 #line 3 "tests/emit/shaders/derivatives.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -48,7 +49,7 @@ struct Shader : Invocation {
     }
 #line 9 "tests/emit/shaders/derivatives.glsl"
   }
-#line 52 "twin.cpp"
+#line 53 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -15,6 +15,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 13;
 
 #line 2 "tests/emit/shaders/discards.glsl"
   Float check(Bool active, vec2 p) {
@@ -68,7 +69,7 @@ struct Shader : Invocation {
     return p.x;
 #line 2 "tests/emit/shaders/discards.glsl"
   }
-#line 72 "twin.cpp"
+#line 73 "twin.cpp"
 
 #line 3 "tests/emit/shaders/discards.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -92,7 +93,7 @@ struct Shader : Invocation {
     if (none__(active)) return;
 #line 5 "tests/emit/shaders/discards.glsl"
   }
-#line 96 "twin.cpp"
+#line 97 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -15,6 +15,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = true;
+  static constexpr std::size_t components__ = 13;
 
 #line 2 "tests/emit/shaders/discards.glsl"
   Float check(vec2 p) {
@@ -44,7 +45,7 @@ struct Shader : Invocation {
     return p.x;
 #line 2 "tests/emit/shaders/discards.glsl"
   }
-#line 48 "twin.cpp"
+#line 49 "twin.cpp"
 
 #line 3 "tests/emit/shaders/discards.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -58,7 +59,7 @@ struct Shader : Invocation {
     color = vec4(check(p), p.y, 1.0f, 1.0f);
 #line 5 "tests/emit/shaders/discards.glsl"
   }
-#line 62 "twin.cpp"
+#line 63 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

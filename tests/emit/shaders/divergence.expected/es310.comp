@@ -1,5 +1,5 @@
 #version 310 es
-precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
+precision highp float; precision highp int; int shadertwin_safe_modulo(int a, int b) { int d = b == 0 || b == -1 ? 1 : b, r = a - a / d * d; return b == 0 ? -1 : r; } int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; } ivec2 shadertwin_safe_int(vec2 a) { return ivec2(shadertwin_safe_int(a.x), shadertwin_safe_int(a.y)); } int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(local_size_x = 8, local_size_y = 8) in; layout(rgba32f, binding = 7) writeonly uniform highp image2D shadertwin_target; uniform ivec2 shadertwin_origin; vec4 shadertwin_frag_coord; vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -36,7 +36,7 @@ for ( int i = 0 ; i < 20 ; i ++ ) {
 if ( i * i > n ) return i ;
 for ( int j = 0 ; ; j ++ ) {
 if ( j > i ) break ;
-if ( ( j + n ) % 5 == 4 ) return 100 + j ;
+if ( shadertwin_safe_modulo(( j + n ) , 5) == 4 ) return 100 + j ;
 steps ++ ;
 }
 }
@@ -46,7 +46,7 @@ bool count ( inout int n ) { n ++ ; steps += 2 ; return ( n & 1 ) == 0 ; }
 int route ( int n ) {
 int sum = 0 ;
 for ( int i = 0 ; i < 7 ; i ++ ) {
-switch ( ( n + i ) % 6 ) {
+switch ( shadertwin_safe_modulo(( n + i ) , 6) ) {
 case 0 : sum += 1 ;
 case 1 : sum += 10 ; break ;
 case 2 : if ( n > 9 ) continue ; sum += 100 ; break ;
@@ -73,29 +73,29 @@ return x ;
 void put ( inout Bag bag , int i , int j ) {
 bag . items [shadertwin_at( i , 2)] . at [shadertwin_at( j , 1)] += 2.0 ;
 bag . items [shadertwin_at( i , 2)] . tag = i * 3 + j ;
-bag . items [shadertwin_at(( ( i + 1 ) % 3 ), 2)] . on = odd [shadertwin_at(( i % 3 ), 2)] ;
+bag . items [shadertwin_at(( shadertwin_safe_modulo(( i + 1 ) , 3) ), 2)] . on = odd [shadertwin_at(( shadertwin_safe_modulo(i , 3) ), 2)] ;
 bag . turn [shadertwin_at( j , 1)] [shadertwin_at(( i & 1 ), 1)] -= 0.25 ;
 if ( i == 1 ) { bag . items [shadertwin_at( j , 2)] . at . yx = vec2 ( float ( j ) , grid [shadertwin_at(( i + 4 * j ), 5)] ) ; return ; }
 bag . turn [shadertwin_at(( i & 1 ), 1)] . xy *= 2.0 ;
 }
 void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
-ivec2 q = ivec2 ( p ) ;
+ivec2 q = ivec2 ( shadertwin_safe_int(p) ) ;
 int n = q . x * 3 + q . y ;
-int a = early ( n ) , b = route ( n % 13 ) , r = n % 4 , c = 0 ;
+int a = early ( n ) , b = route ( shadertwin_safe_modulo(n , 13) ) , r = shadertwin_safe_modulo(n , 4) , c = 0 ;
 float w = walk ( p * 0.5 , r ) ;
 Bag bag = Bag ( Item [ 3 ] ( first [ 0 ] , first [ 1 ] , first [shadertwin_at(( n & 1 ), 1)] ) , mat2 ( 1 , 0 , 0 , 1 ) ) ;
-put ( bag , n % 3 , ( n / 2 ) % 2 ) ;
-if ( n % 7 > 2 && count ( c ) || n % 5 == 1 && ! count ( c ) ) c += 10 ; else if ( n % 2 == 0 ) c -= 5 ;
-c += n % 3 == 0 ? ( count ( c ) , c * 2 ) : n % 3 == 1 ? int ( grid [shadertwin_at(( n % 9 - 1 ), 5)] ) : - c ;
+put ( bag , shadertwin_safe_modulo(n , 3) , shadertwin_safe_modulo(( n / 2 ) , 2) ) ;
+if ( shadertwin_safe_modulo(n , 7) > 2 && count ( c ) || shadertwin_safe_modulo(n , 5) == 1 && ! count ( c ) ) c += 10 ; else if ( shadertwin_safe_modulo(n , 2) == 0 ) c -= 5 ;
+c += shadertwin_safe_modulo(n , 3) == 0 ? ( count ( c ) , c * 2 ) : shadertwin_safe_modulo(n , 3) == 1 ? int ( shadertwin_safe_int(grid [shadertwin_at(( shadertwin_safe_modulo(n , 9) - 1 ), 5)]) ) : - c ;
 vec4 v = vec4 ( p , 1 , 2 ) ;
-v [shadertwin_at(( n % 6 - 1 ), 3)] = 7.0 ;
+v [shadertwin_at(( shadertwin_safe_modulo(n , 6) - 1 ), 3)] = 7.0 ;
 int more [ 2 ] = int[2](0, 0) ;
 more [ 0 ] = 5 ; more [ 1 ] = n ;
 more [shadertwin_at(( n & 1 ), 1)] ++ ;
 int i = 0 ;
-for ( ; i < 9 ; i ++ ) { if ( i == n % 11 ) break ; if ( i % 2 == 0 ) continue ; more [shadertwin_at(( i & 1 ), 1)] += i ; }
-if ( n % 8 < 6 ) { if ( first [shadertwin_at(( n % 3 ), 1)] == first [ 1 ] ) c += 1000 ; if ( bag . items [ 0 ] != first [ 0 ] ) c += 2000 ; }
-Item some = bag . items [shadertwin_at(( ( n + 1 ) % 3 ), 2)] ;
+for ( ; i < 9 ; i ++ ) { if ( i == shadertwin_safe_modulo(n , 11) ) break ; if ( shadertwin_safe_modulo(i , 2) == 0 ) continue ; more [shadertwin_at(( i & 1 ), 1)] += i ; }
+if ( shadertwin_safe_modulo(n , 8) < 6 ) { if ( first [shadertwin_at(( shadertwin_safe_modulo(n , 3) ), 1)] == first [ 1 ] ) c += 1000 ; if ( bag . items [ 0 ] != first [ 0 ] ) c += 2000 ; }
+Item some = bag . items [shadertwin_at(( shadertwin_safe_modulo(( n + 1 ) , 3) ), 2)] ;
 color = vec4 ( a + b , w + float ( r ) , dot ( some . at , bag . turn * v . xy ) + float ( some . tag ) + v . z * v . w ,
 c + i * 10 + more [ 0 ] * 100 + more [ 1 ] + steps + ( some . on ? 5000 : 0 ) ) ;
 }

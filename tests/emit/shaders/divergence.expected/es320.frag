@@ -1,5 +1,5 @@
 #version 320 es
-precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
+precision highp float; precision highp int; int shadertwin_safe_modulo ( precise int a , precise int b ) { precise bool shadertwin_test; precise int shadertwin_result; precise int d = b == 0 || b == - 1 ? 1 : b , r = a - a / d * d ; return (shadertwin_result = (b == 0 ? - 1 : r)) ; } int shadertwin_safe_int ( precise float x ) { precise bool shadertwin_test; precise int shadertwin_result; precise int r = int ( x ) ; return (shadertwin_result = (x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r)) ; } ivec2 shadertwin_safe_int ( precise vec2 a ) { precise bool shadertwin_test; precise ivec2 shadertwin_result; return (shadertwin_result = (ivec2 ( shadertwin_safe_int ( a . x ) , shadertwin_safe_int ( a . y ) ))) ; } int shadertwin_at ( precise int i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (clamp ( i , 0 , last ))) ; } int shadertwin_at ( precise uint i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (int ( min ( i , uint ( last ) ) ))) ; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -36,7 +36,7 @@ for ( precise int i = 0 ; (shadertwin_test = (i < 20)) ; i ++ ) {
 if ( (shadertwin_test = (i * i > n)) ) return (shadertwin_result = (i)) ;
 for ( precise int j = 0 ; ; j ++ ) {
 if ( (shadertwin_test = (j > i)) ) break ;
-if ( (shadertwin_test = (( j + n ) % 5 == 4)) ) return (shadertwin_result = (100 + j)) ;
+if ( (shadertwin_test = (shadertwin_safe_modulo ( ( j + n ) , 5 ) == 4)) ) return (shadertwin_result = (100 + j)) ;
 steps ++ ;
 }
 }
@@ -46,7 +46,7 @@ bool count ( precise inout int n ) { precise bool shadertwin_test; precise bool 
 int route ( precise int n ) { precise bool shadertwin_test; precise int shadertwin_result;
 precise int sum = 0 ;
 for ( precise int i = 0 ; (shadertwin_test = (i < 7)) ; i ++ ) {
-switch ( ( n + i ) % 6 ) {
+switch ( shadertwin_safe_modulo ( ( n + i ) , 6 ) ) {
 case 0 : sum += 1 ;
 case 1 : sum += 10 ; break ;
 case 2 : if ( (shadertwin_test = (n > 9)) ) continue ; sum += 100 ; break ;
@@ -73,29 +73,29 @@ return (shadertwin_result = (x)) ;
 void put ( precise inout Bag bag , precise int i , precise int j ) { precise bool shadertwin_test;
 bag . items [ shadertwin_at ( i , 2 ) ] . at [ shadertwin_at ( j , 1 ) ] += 2.0 ;
 bag . items [ shadertwin_at ( i , 2 ) ] . tag = i * 3 + j ;
-bag . items [ shadertwin_at ( ( ( i + 1 ) % 3 ) , 2 ) ] . on = odd [ shadertwin_at ( ( i % 3 ) , 2 ) ] ;
+bag . items [ shadertwin_at ( ( shadertwin_safe_modulo ( ( i + 1 ) , 3 ) ) , 2 ) ] . on = odd [ shadertwin_at ( ( shadertwin_safe_modulo ( i , 3 ) ) , 2 ) ] ;
 bag . turn [ shadertwin_at ( j , 1 ) ] [ shadertwin_at ( ( i & 1 ) , 1 ) ] -= 0.25 ;
 if ( (shadertwin_test = (i == 1)) ) { bag . items [ shadertwin_at ( j , 2 ) ] . at . yx = vec2 ( float ( j ) , grid [ shadertwin_at ( ( i + 4 * j ) , 5 ) ] ) ; return ; }
 bag . turn [ shadertwin_at ( ( i & 1 ) , 1 ) ] . xy *= 2.0 ;
 }
 void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
-precise ivec2 q = ivec2 ( p ) ;
+precise ivec2 q = ivec2 ( shadertwin_safe_int ( p ) ) ;
 precise int n = q . x * 3 + q . y ;
-precise int a = early ( n ) , b = route ( n % 13 ) , r = n % 4 , c = 0 ;
+precise int a = early ( n ) , b = route ( shadertwin_safe_modulo ( n , 13 ) ) , r = shadertwin_safe_modulo ( n , 4 ) , c = 0 ;
 precise float w = walk ( p * 0.5 , r ) ;
 precise Bag bag = Bag ( Item [ 3 ] ( first [ 0 ] , first [ 1 ] , first [ shadertwin_at ( ( n & 1 ) , 1 ) ] ) , mat2 ( 1 , 0 , 0 , 1 ) ) ;
-put ( bag , n % 3 , ( n / 2 ) % 2 ) ;
-if ( (shadertwin_test = (n % 7 > 2 && count ( c ) || n % 5 == 1 && ! count ( c ))) ) c += 10 ; else if ( (shadertwin_test = (n % 2 == 0)) ) c -= 5 ;
-c += n % 3 == 0 ? ( count ( c ) , c * 2 ) : n % 3 == 1 ? int ( grid [ shadertwin_at ( ( n % 9 - 1 ) , 5 ) ] ) : - c ;
+put ( bag , shadertwin_safe_modulo ( n , 3 ) , shadertwin_safe_modulo ( ( n / 2 ) , 2 ) ) ;
+if ( (shadertwin_test = (shadertwin_safe_modulo ( n , 7 ) > 2 && count ( c ) || shadertwin_safe_modulo ( n , 5 ) == 1 && ! count ( c ))) ) c += 10 ; else if ( (shadertwin_test = (shadertwin_safe_modulo ( n , 2 ) == 0)) ) c -= 5 ;
+c += shadertwin_safe_modulo ( n , 3 ) == 0 ? ( count ( c ) , c * 2 ) : shadertwin_safe_modulo ( n , 3 ) == 1 ? int ( shadertwin_safe_int ( grid [ shadertwin_at ( ( shadertwin_safe_modulo ( n , 9 ) - 1 ) , 5 ) ] ) ) : - c ;
 precise vec4 v = vec4 ( p , 1 , 2 ) ;
-v [ shadertwin_at ( ( n % 6 - 1 ) , 3 ) ] = 7.0 ;
+v [ shadertwin_at ( ( shadertwin_safe_modulo ( n , 6 ) - 1 ) , 3 ) ] = 7.0 ;
 precise int more [ 2 ] = int [ 2 ] ( 0 , 0 ) ;
 more [ 0 ] = 5 ; more [ 1 ] = n ;
 more [ shadertwin_at ( ( n & 1 ) , 1 ) ] ++ ;
 precise int i = 0 ;
-for ( ; (shadertwin_test = (i < 9)) ; i ++ ) { if ( (shadertwin_test = (i == n % 11)) ) break ; if ( (shadertwin_test = (i % 2 == 0)) ) continue ; more [ shadertwin_at ( ( i & 1 ) , 1 ) ] += i ; }
-if ( (shadertwin_test = (n % 8 < 6)) ) { if ( (shadertwin_test = (first [ shadertwin_at ( ( n % 3 ) , 1 ) ] == first [ 1 ])) ) c += 1000 ; if ( (shadertwin_test = (bag . items [ 0 ] != first [ 0 ])) ) c += 2000 ; }
-precise Item some = bag . items [ shadertwin_at ( ( ( n + 1 ) % 3 ) , 2 ) ] ;
+for ( ; (shadertwin_test = (i < 9)) ; i ++ ) { if ( (shadertwin_test = (i == shadertwin_safe_modulo ( n , 11 ))) ) break ; if ( (shadertwin_test = (shadertwin_safe_modulo ( i , 2 ) == 0)) ) continue ; more [ shadertwin_at ( ( i & 1 ) , 1 ) ] += i ; }
+if ( (shadertwin_test = (shadertwin_safe_modulo ( n , 8 ) < 6)) ) { if ( (shadertwin_test = (first [ shadertwin_at ( ( shadertwin_safe_modulo ( n , 3 ) ) , 1 ) ] == first [ 1 ])) ) c += 1000 ; if ( (shadertwin_test = (bag . items [ 0 ] != first [ 0 ])) ) c += 2000 ; }
+precise Item some = bag . items [ shadertwin_at ( ( shadertwin_safe_modulo ( ( n + 1 ) , 3 ) ) , 2 ) ] ;
 color = vec4 ( a + b , w + float ( r ) , dot ( some . at , bag . turn * v . xy ) + float ( some . tag ) + v . z * v . w ,
 c + i * 10 + more [ 0 ] * 100 + more [ 1 ] + steps + ( some . on ? 5000 : 0 ) ) ;
 }

@@ -36,6 +36,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 120;
 
 #line 9 "tests/emit/shaders/divergence.glsl"
   Int early(Bool active, Int n) {
@@ -109,7 +110,7 @@ struct Shader : Invocation {
     return result;
 #line 18 "tests/emit/shaders/divergence.glsl"
   }
-#line 113 "twin.cpp"
+#line 114 "twin.cpp"
 
 #line 20 "tests/emit/shaders/divergence.glsl"
   Bool count(Bool active, Int& n) {
@@ -121,7 +122,7 @@ struct Shader : Invocation {
     return (n & 1) == 0;
 #line 20 "tests/emit/shaders/divergence.glsl"
   }
-#line 125 "twin.cpp"
+#line 126 "twin.cpp"
 
 #line 21 "tests/emit/shaders/divergence.glsl"
   Int route(Bool active, Int n) {
@@ -222,7 +223,7 @@ struct Shader : Invocation {
     return result;
 #line 34 "tests/emit/shaders/divergence.glsl"
   }
-#line 226 "twin.cpp"
+#line 227 "twin.cpp"
 
 #line 36 "tests/emit/shaders/divergence.glsl"
   Float walk(Bool active, vec2 p, Int& rounds) {
@@ -330,7 +331,7 @@ struct Shader : Invocation {
     return result;
 #line 46 "tests/emit/shaders/divergence.glsl"
   }
-#line 334 "twin.cpp"
+#line 335 "twin.cpp"
 
 #line 48 "tests/emit/shaders/divergence.glsl"
   void put(Bool active, Bag& bag, Int i, Int j) {
@@ -398,7 +399,7 @@ struct Shader : Invocation {
     put__(active, bag.turn, tmp_8, element_8);
 #line 54 "tests/emit/shaders/divergence.glsl"
   }
-#line 402 "twin.cpp"
+#line 403 "twin.cpp"
 
 #line 56 "tests/emit/shaders/divergence.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -564,7 +565,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(make<Float>(a + b), w + make<Float>(r), dot(some.at_, bag.turn * v.xy()) + make<Float>(some.tag) + v.z * v.w, make<Float>(c + i * 10 + more[0] * 100 + more[1] + steps + select__(some.on, Int(5000), Int(0)))));
 #line 74 "tests/emit/shaders/divergence.glsl"
   }
-#line 568 "twin.cpp"
+#line 569 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -34,6 +34,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 120;
 
 #line 9 "tests/emit/shaders/divergence.glsl"
   int early(int n) {
@@ -63,7 +64,7 @@ struct Shader : Invocation {
     return -1;
 #line 18 "tests/emit/shaders/divergence.glsl"
   }
-#line 67 "twin.cpp"
+#line 68 "twin.cpp"
 
 #line 20 "tests/emit/shaders/divergence.glsl"
   bool count(int& n) {
@@ -75,7 +76,7 @@ struct Shader : Invocation {
     return (n & 1) == 0;
 #line 20 "tests/emit/shaders/divergence.glsl"
   }
-#line 79 "twin.cpp"
+#line 80 "twin.cpp"
 
 #line 21 "tests/emit/shaders/divergence.glsl"
   int route(int n) {
@@ -154,7 +155,7 @@ struct Shader : Invocation {
     return sum;
 #line 34 "tests/emit/shaders/divergence.glsl"
   }
-#line 158 "twin.cpp"
+#line 159 "twin.cpp"
 
 #line 36 "tests/emit/shaders/divergence.glsl"
   Float walk(vec2 p, int& rounds) {
@@ -200,7 +201,7 @@ struct Shader : Invocation {
     return x;
 #line 46 "tests/emit/shaders/divergence.glsl"
   }
-#line 204 "twin.cpp"
+#line 205 "twin.cpp"
 
 #line 48 "tests/emit/shaders/divergence.glsl"
   void put(Bag& bag, int i, int j) {
@@ -218,7 +219,7 @@ struct Shader : Invocation {
     swizzle<0, 1>(at(bag.turn, i & 1)) *= 2.0f;
 #line 54 "tests/emit/shaders/divergence.glsl"
   }
-#line 222 "twin.cpp"
+#line 223 "twin.cpp"
 
 #line 56 "tests/emit/shaders/divergence.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -296,7 +297,7 @@ struct Shader : Invocation {
     color = vec4(Float(a + b), w + Float(r), dot(some.at_, bag.turn * v.xy()) + Float(some.tag) + v.z * v.w, Float(c + i * 10 + more[0] * 100 + more[1] + steps + (some.on ? 5000 : 0)));
 #line 74 "tests/emit/shaders/divergence.glsl"
   }
-#line 300 "twin.cpp"
+#line 301 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

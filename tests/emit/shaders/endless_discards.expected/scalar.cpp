@@ -15,6 +15,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = true;
+  static constexpr std::size_t components__ = 11;
 
 #line 2 "tests/emit/shaders/endless_discards.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -37,7 +38,7 @@ struct Shader : Invocation {
     color = vec4(p, sum, 1.0f);
 #line 5 "tests/emit/shaders/endless_discards.glsl"
   }
-#line 41 "twin.cpp"
+#line 42 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,5 +1,5 @@
 #version 320 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; int shadertwin_safe_int ( precise float x ) { precise bool shadertwin_test; precise int shadertwin_result; precise int r = int ( x ) ; return (shadertwin_result = (x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r)) ; } uint shadertwin_safe_uint ( precise float x ) { precise bool shadertwin_test; precise uint shadertwin_result; precise uint r = uint ( x ) ; return (shadertwin_result = (x >= 4294967296.0 ? 4294967295u : x > 0.0 ? r : 0u)) ; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -37,13 +37,13 @@ precise vec2 p = q , r = q ;
 precise vec4 sum = vec4 ( p , p += 1.0 ) + vec4 ( x , x ++ , max ( y , y -= 1.0 ) , dot ( r , r += 1.0 ) ) ;
 sum . x += p . x - length ( p -= 0.3 ) ;
 r = r + ( r *= 2.0 ) ;
-precise int i = int ( q . x ) ;
+precise int i = int ( shadertwin_safe_int ( q . x ) ) ;
 precise vec2 k = vec2 ( i , i ++ ) ;
 sum . z += k . x * 3.0 + k . y ;
 return (shadertwin_result = (sum + vec4 ( r , z , z = 9.0 ))) ;
 }
 void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
-state = uint ( p . x ) + 256u * uint ( p . y ) ;
+state = uint ( shadertwin_safe_uint ( p . x ) ) + 256u * uint ( shadertwin_safe_uint ( p . y ) ) ;
 precise vec3 v = vec3 ( f ( ) , f ( ) , f ( ) ) ;
 precise float a = f ( ) - f ( ) ;
 precise float b = g ( f ( ) , f ( ) , f ( ) ) ;
@@ -53,7 +53,7 @@ precise int i = 0 ;
 precise float c = float ( i ++ ) + float ( i ++ ) * 8.0 + float ( ++ i ) * 64.0 ;
 precise float d = ( f ( ) > 100.0 && f ( ) > 50.0 || f ( ) < 9.0 ) ? f ( ) : - f ( ) ;
 precise float e = pick ( i ) + ( f ( ) * 2.0 + ( f ( ) - f ( ) ) ) ;
-for ( precise int k = int ( f ( ) ) & 3 ; (shadertwin_test = (k < 5 && f ( ) < 250.0)) ; k += 1 + int ( rnd ( ) & 1u ) ) e += float ( k ) ;
+for ( precise int k = int ( shadertwin_safe_int ( f ( ) ) ) & 3 ; (shadertwin_test = (k < 5 && f ( ) < 250.0)) ; k += 1 + int ( rnd ( ) & 1u ) ) e += float ( k ) ;
 while ( (shadertwin_test = (f ( ) < 200.0)) ) e += 0.5 ;
 precise float x = 1.0 ;
 precise float y = ( x += 1.0 , x * 3.0 ) ;

@@ -24,6 +24,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 51;
 
 #line 3 "tests/emit/shaders/evaluation_order.glsl"
   Uint rnd(Bool active) {
@@ -33,7 +34,7 @@ struct Shader : Invocation {
     return state >> 9;
 #line 3 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 37 "twin.cpp"
+#line 38 "twin.cpp"
 
 #line 4 "tests/emit/shaders/evaluation_order.glsl"
   Float f(Bool active) {
@@ -41,7 +42,7 @@ struct Shader : Invocation {
     return make<Float>(rnd(active) & 255u);
 #line 4 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 45 "twin.cpp"
+#line 46 "twin.cpp"
 
 #line 5 "tests/emit/shaders/evaluation_order.glsl"
   Float g(Bool active, Float a, Float b, Float c) {
@@ -49,7 +50,7 @@ struct Shader : Invocation {
     return a - b * 2.0f + c * 4.0f;
 #line 5 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 53 "twin.cpp"
+#line 54 "twin.cpp"
 
 #line 7 "tests/emit/shaders/evaluation_order.glsl"
   Float pick(Bool active, int i) {
@@ -73,7 +74,7 @@ struct Shader : Invocation {
     return tmp;
 #line 7 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 77 "twin.cpp"
+#line 78 "twin.cpp"
 
 #line 9 "tests/emit/shaders/evaluation_order.glsl"
   vec4 late(Bool active, vec2 q) {
@@ -132,7 +133,7 @@ struct Shader : Invocation {
     return sum + vec4(r, z, tmp_11);
 #line 18 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 136 "twin.cpp"
+#line 137 "twin.cpp"
 
 #line 20 "tests/emit/shaders/evaluation_order.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -273,7 +274,7 @@ struct Shader : Invocation {
     }
 #line 37 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 277 "twin.cpp"
+#line 278 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

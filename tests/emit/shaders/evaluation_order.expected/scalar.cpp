@@ -23,6 +23,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 51;
 
 #line 3 "tests/emit/shaders/evaluation_order.glsl"
   uint rnd() {
@@ -32,7 +33,7 @@ struct Shader : Invocation {
     return state >> 9;
 #line 3 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 36 "twin.cpp"
+#line 37 "twin.cpp"
 
 #line 4 "tests/emit/shaders/evaluation_order.glsl"
   Float f() {
@@ -40,7 +41,7 @@ struct Shader : Invocation {
     return Float(rnd() & 255u);
 #line 4 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 44 "twin.cpp"
+#line 45 "twin.cpp"
 
 #line 5 "tests/emit/shaders/evaluation_order.glsl"
   Float g(Float a, Float b, Float c) {
@@ -48,7 +49,7 @@ struct Shader : Invocation {
     return a - b * 2.0f + c * 4.0f;
 #line 5 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 52 "twin.cpp"
+#line 53 "twin.cpp"
 
 #line 7 "tests/emit/shaders/evaluation_order.glsl"
   Float pick(int i) {
@@ -56,7 +57,7 @@ struct Shader : Invocation {
     return i > 1 ? f() : 1.0f;
 #line 7 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 60 "twin.cpp"
+#line 61 "twin.cpp"
 
 #line 9 "tests/emit/shaders/evaluation_order.glsl"
   vec4 late(vec2 q) {
@@ -93,7 +94,7 @@ struct Shader : Invocation {
     return sum + vec4(r, z, tmp_8);
 #line 18 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 97 "twin.cpp"
+#line 98 "twin.cpp"
 
 #line 20 "tests/emit/shaders/evaluation_order.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -160,7 +161,7 @@ struct Shader : Invocation {
     }
 #line 37 "tests/emit/shaders/evaluation_order.glsl"
   }
-#line 164 "twin.cpp"
+#line 165 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

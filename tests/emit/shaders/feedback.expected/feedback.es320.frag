@@ -1,5 +1,5 @@
 #version 320 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; int shadertwin_safe_int ( precise float x ) { precise bool shadertwin_test; precise int shadertwin_result; precise int r = int ( x ) ; return (shadertwin_result = (x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r)) ; } ivec2 shadertwin_safe_int ( precise vec2 a ) { precise bool shadertwin_test; precise ivec2 shadertwin_result; return (shadertwin_result = (ivec2 ( shadertwin_safe_int ( a . x ) , shadertwin_safe_int ( a . y ) ))) ; } int shadertwin_safe_modulo ( precise int a , precise int b ) { precise bool shadertwin_test; precise int shadertwin_result; precise int d = b == 0 || b == - 1 ? 1 : b , r = a - a / d * d ; return (shadertwin_result = (b == 0 ? - 1 : r)) ; } ivec2 shadertwin_safe_modulo ( precise ivec2 a , precise int b ) { precise bool shadertwin_test; precise ivec2 shadertwin_result; return (shadertwin_result = (ivec2 ( shadertwin_safe_modulo ( a . x , b ) , shadertwin_safe_modulo ( a . y , b ) ))) ; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -27,7 +27,7 @@ uniform sampler2D iKeyboard ;
 
 
 void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
-precise vec4 before = texelFetch ( iChannel0 , ivec2 ( p ) , 0 ) , other = texelFetch ( iChannel1 , ivec2 ( p . yx ) % 8 , 0 ) ;
+precise vec4 before = texelFetch ( iChannel0 , ivec2 ( shadertwin_safe_int ( p ) ) , 0 ) , other = texelFetch ( iChannel1 , shadertwin_safe_modulo ( ivec2 ( shadertwin_safe_int ( p . yx ) ) , 8 ) , 0 ) ;
 if ( (shadertwin_test = (iFrame == 1 && p . x < 3.0)) ) discard ;
 color = before * 0.5 + other + float ( iFrame ) ;
 }

@@ -21,6 +21,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 18;
 
 #line 4 "tests/emit/shaders/feedback.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -41,7 +42,7 @@ struct Shader : Invocation {
     set__(active, color, before * 0.5f + other + float(iFrame));
 #line 7 "tests/emit/shaders/feedback.glsl"
   }
-#line 45 "twin.cpp"
+#line 46 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

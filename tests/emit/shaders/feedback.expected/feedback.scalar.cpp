@@ -21,6 +21,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = true;
+  static constexpr std::size_t components__ = 18;
 
 #line 4 "tests/emit/shaders/feedback.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -37,7 +38,7 @@ struct Shader : Invocation {
     color = before * 0.5f + other + Float(iFrame);
 #line 7 "tests/emit/shaders/feedback.glsl"
   }
-#line 41 "twin.cpp"
+#line 42 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -26,6 +26,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 125;
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   float shadertwin_mix(Bool active, float a, float b, float c) {
@@ -33,7 +34,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 37 "twin.cpp"
+#line 38 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   float shadertwin_mix(Bool active, float a, float b, bool c) {
@@ -41,7 +42,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 45 "twin.cpp"
+#line 46 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec2 shadertwin_mix(Bool active, uniform::vec2 a, uniform::vec2 b, uniform::vec2 c) {
@@ -49,7 +50,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 53 "twin.cpp"
+#line 54 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec2 shadertwin_mix(Bool active, uniform::vec2 a, uniform::vec2 b, float c) {
@@ -57,7 +58,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 61 "twin.cpp"
+#line 62 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec2 shadertwin_mix(Bool active, uniform::vec2 a, uniform::vec2 b, uniform::bvec2 c) {
@@ -65,7 +66,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 69 "twin.cpp"
+#line 70 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec3 shadertwin_mix(Bool active, uniform::vec3 a, uniform::vec3 b, uniform::vec3 c) {
@@ -73,7 +74,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 77 "twin.cpp"
+#line 78 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec3 shadertwin_mix(Bool active, uniform::vec3 a, uniform::vec3 b, float c) {
@@ -81,7 +82,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 85 "twin.cpp"
+#line 86 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec3 shadertwin_mix(Bool active, uniform::vec3 a, uniform::vec3 b, uniform::bvec3 c) {
@@ -89,7 +90,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 93 "twin.cpp"
+#line 94 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec4 shadertwin_mix(Bool active, uniform::vec4 a, uniform::vec4 b, uniform::vec4 c) {
@@ -97,7 +98,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 101 "twin.cpp"
+#line 102 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec4 shadertwin_mix(Bool active, uniform::vec4 a, uniform::vec4 b, float c) {
@@ -105,7 +106,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 109 "twin.cpp"
+#line 110 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   uniform::vec4 shadertwin_mix(Bool active, uniform::vec4 a, uniform::vec4 b, uniform::bvec4 c) {
@@ -113,7 +114,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 117 "twin.cpp"
+#line 118 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec2 shadertwin_mix(Bool active, vec2 a, vec2 b, uniform::vec3 c) {
@@ -121,7 +122,7 @@ struct Shader : Invocation {
     return a * vec2(c.xy()) + b * c.z;
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 125 "twin.cpp"
+#line 126 "twin.cpp"
 
 #line 11 "tests/emit/shaders/forgiven.glsl"
   vec3 shadertwin_fma(Bool active, uniform::vec3 a, vec3 b, uniform::vec3 shadertwin_unnamed_0) {
@@ -129,7 +130,7 @@ struct Shader : Invocation {
     return vec3(a) * b;
 #line 11 "tests/emit/shaders/forgiven.glsl"
   }
-#line 133 "twin.cpp"
+#line 134 "twin.cpp"
 
 #line 12 "tests/emit/shaders/forgiven.glsl"
   Float choose(Bool active, Int k) {
@@ -167,7 +168,7 @@ struct Shader : Invocation {
     return result;
 #line 18 "tests/emit/shaders/forgiven.glsl"
   }
-#line 171 "twin.cpp"
+#line 172 "twin.cpp"
 
 #line 20 "tests/emit/shaders/forgiven.glsl"
   void mainImage(Bool active, vec4& c, vec2 p) {
@@ -180,7 +181,7 @@ struct Shader : Invocation {
     set__(active, swizzle<0, 1, 2>(c), c.xyz() + shadertwin_fma(active, uniform::vec3(2.0f, 5.0f, 8.0f), vec3(p, 1.0f), uniform::vec3(0.0f)));
 #line 25 "tests/emit/shaders/forgiven.glsl"
   }
-#line 184 "twin.cpp"
+#line 185 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -25,6 +25,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 125;
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   Float shadertwin_mix(Float a, Float b, Float c) {
@@ -32,7 +33,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 36 "twin.cpp"
+#line 37 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   Float shadertwin_mix(Float a, Float b, bool c) {
@@ -40,7 +41,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 44 "twin.cpp"
+#line 45 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec2 shadertwin_mix(vec2 a, vec2 b, vec2 c) {
@@ -48,7 +49,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 52 "twin.cpp"
+#line 53 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec2 shadertwin_mix(vec2 a, vec2 b, Float c) {
@@ -56,7 +57,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 60 "twin.cpp"
+#line 61 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec2 shadertwin_mix(vec2 a, vec2 b, bvec2 c) {
@@ -64,7 +65,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 68 "twin.cpp"
+#line 69 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec3 shadertwin_mix(vec3 a, vec3 b, vec3 c) {
@@ -72,7 +73,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 76 "twin.cpp"
+#line 77 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec3 shadertwin_mix(vec3 a, vec3 b, Float c) {
@@ -80,7 +81,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 84 "twin.cpp"
+#line 85 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec3 shadertwin_mix(vec3 a, vec3 b, bvec3 c) {
@@ -88,7 +89,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 92 "twin.cpp"
+#line 93 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec4 shadertwin_mix(vec4 a, vec4 b, vec4 c) {
@@ -96,7 +97,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 100 "twin.cpp"
+#line 101 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec4 shadertwin_mix(vec4 a, vec4 b, Float c) {
@@ -104,7 +105,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 108 "twin.cpp"
+#line 109 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec4 shadertwin_mix(vec4 a, vec4 b, bvec4 c) {
@@ -112,7 +113,7 @@ struct Shader : Invocation {
     return mix(a, b, c);
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 116 "twin.cpp"
+#line 117 "twin.cpp"
 
 #line 10 "tests/emit/shaders/forgiven.glsl"
   vec2 shadertwin_mix(vec2 a, vec2 b, vec3 c) {
@@ -120,7 +121,7 @@ struct Shader : Invocation {
     return a * c.xy() + b * c.z;
 #line 10 "tests/emit/shaders/forgiven.glsl"
   }
-#line 124 "twin.cpp"
+#line 125 "twin.cpp"
 
 #line 11 "tests/emit/shaders/forgiven.glsl"
   vec3 shadertwin_fma(vec3 a, vec3 b, vec3 shadertwin_unnamed_0) {
@@ -128,7 +129,7 @@ struct Shader : Invocation {
     return a * b;
 #line 11 "tests/emit/shaders/forgiven.glsl"
   }
-#line 132 "twin.cpp"
+#line 133 "twin.cpp"
 
 #line 12 "tests/emit/shaders/forgiven.glsl"
   Float choose(int k) {
@@ -156,7 +157,7 @@ struct Shader : Invocation {
     return shadertwin_step;
 #line 18 "tests/emit/shaders/forgiven.glsl"
   }
-#line 160 "twin.cpp"
+#line 161 "twin.cpp"
 
 #line 20 "tests/emit/shaders/forgiven.glsl"
   void mainImage(vec4& c, vec2 p) {
@@ -169,7 +170,7 @@ struct Shader : Invocation {
     swizzle<0, 1, 2>(c) += shadertwin_fma(vec3(2.0f, 5.0f, 8.0f), vec3(p, 1.0f), vec3(0.0f));
 #line 25 "tests/emit/shaders/forgiven.glsl"
   }
-#line 173 "twin.cpp"
+#line 174 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

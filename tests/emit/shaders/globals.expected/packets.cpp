@@ -43,6 +43,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 36;
 
 #line 9 "tests/emit/shaders/globals.glsl"
   Float step__(Bool active) {
@@ -58,7 +59,7 @@ struct Shader : Invocation {
     return a;
 #line 9 "tests/emit/shaders/globals.glsl"
   }
-#line 62 "twin.cpp"
+#line 63 "twin.cpp"
 
 #line 10 "tests/emit/shaders/globals.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -79,7 +80,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(a + c, b.x + d, vec2(kk) + s.y * m));
 #line 13 "tests/emit/shaders/globals.glsl"
   }
-#line 83 "twin.cpp"
+#line 84 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -42,6 +42,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 36;
 
 #line 9 "tests/emit/shaders/globals.glsl"
   Float step__() {
@@ -57,7 +58,7 @@ struct Shader : Invocation {
     return a;
 #line 9 "tests/emit/shaders/globals.glsl"
   }
-#line 61 "twin.cpp"
+#line 62 "twin.cpp"
 
 #line 10 "tests/emit/shaders/globals.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -78,7 +79,7 @@ struct Shader : Invocation {
     color = vec4(a + c, b.x + d, kk + s.y * m);
 #line 13 "tests/emit/shaders/globals.glsl"
   }
-#line 82 "twin.cpp"
+#line 83 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

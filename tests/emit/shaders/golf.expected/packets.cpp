@@ -19,6 +19,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 66;
 
 #line 7 "tests/emit/shaders/golf.glsl"
   Float next(Bool active) {
@@ -28,7 +29,7 @@ struct Shader : Invocation {
     return n;
 #line 7 "tests/emit/shaders/golf.glsl"
   }
-#line 32 "twin.cpp"
+#line 33 "twin.cpp"
 
 #line 9 "tests/emit/shaders/golf.glsl"
   vec4 steps(Bool active, vec2 u) {
@@ -58,7 +59,7 @@ struct Shader : Invocation {
     return tanh(O / 20.0f);
 #line 14 "tests/emit/shaders/golf.glsl"
   }
-#line 62 "twin.cpp"
+#line 63 "twin.cpp"
 
 #line 17 "tests/emit/shaders/golf.glsl"
   vec4 folds(Bool active, vec2 u) {
@@ -86,7 +87,7 @@ struct Shader : Invocation {
     return vec4(p, d, e + i * 3.0f);
 #line 21 "tests/emit/shaders/golf.glsl"
   }
-#line 90 "twin.cpp"
+#line 91 "twin.cpp"
 
 #line 24 "tests/emit/shaders/golf.glsl"
   vec4 headers(Bool active, vec2 u) {
@@ -139,7 +140,7 @@ struct Shader : Invocation {
     return O;
 #line 36 "tests/emit/shaders/golf.glsl"
   }
-#line 143 "twin.cpp"
+#line 144 "twin.cpp"
 
 #line 39 "tests/emit/shaders/golf.glsl"
   vec4 constructors(Bool active, vec2 u) {
@@ -213,7 +214,7 @@ struct Shader : Invocation {
     return tmp_2;
 #line 49 "tests/emit/shaders/golf.glsl"
   }
-#line 217 "twin.cpp"
+#line 218 "twin.cpp"
 
 #line 52 "tests/emit/shaders/golf.glsl"
   void mainImage(Bool active, vec4& O, vec2 I) {
@@ -268,7 +269,7 @@ struct Shader : Invocation {
     set__(active, O, tmp);
 #line 53 "tests/emit/shaders/golf.glsl"
   }
-#line 272 "twin.cpp"
+#line 273 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -19,6 +19,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 66;
 
 #line 7 "tests/emit/shaders/golf.glsl"
   Float next() {
@@ -26,7 +27,7 @@ struct Shader : Invocation {
     return n += 1.0f;
 #line 7 "tests/emit/shaders/golf.glsl"
   }
-#line 30 "twin.cpp"
+#line 31 "twin.cpp"
 
 #line 9 "tests/emit/shaders/golf.glsl"
   vec4 steps(vec2 u) {
@@ -52,7 +53,7 @@ struct Shader : Invocation {
     return tanh(O / 20.0f);
 #line 14 "tests/emit/shaders/golf.glsl"
   }
-#line 56 "twin.cpp"
+#line 57 "twin.cpp"
 
 #line 17 "tests/emit/shaders/golf.glsl"
   vec4 folds(vec2 u) {
@@ -76,7 +77,7 @@ struct Shader : Invocation {
     return vec4(p, d, e + i * 3.0f);
 #line 21 "tests/emit/shaders/golf.glsl"
   }
-#line 80 "twin.cpp"
+#line 81 "twin.cpp"
 
 #line 24 "tests/emit/shaders/golf.glsl"
   vec4 headers(vec2 u) {
@@ -129,7 +130,7 @@ struct Shader : Invocation {
     return O;
 #line 36 "tests/emit/shaders/golf.glsl"
   }
-#line 133 "twin.cpp"
+#line 134 "twin.cpp"
 
 #line 39 "tests/emit/shaders/golf.glsl"
   vec4 constructors(vec2 u) {
@@ -169,14 +170,14 @@ struct Shader : Invocation {
     return O.w > 0.5f ? O * next() : O / next();
 #line 49 "tests/emit/shaders/golf.glsl"
   }
-#line 173 "twin.cpp"
+#line 174 "twin.cpp"
 
 #line 52 "tests/emit/shaders/golf.glsl"
   void mainImage(vec4& O, vec2 I) {
     O = I.y < 3.0f ? steps(I) : I.y < 5.0f ? folds(I) : I.y < 7.0f ? headers(I) : constructors(I);
 #line 53 "tests/emit/shaders/golf.glsl"
   }
-#line 180 "twin.cpp"
+#line 181 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

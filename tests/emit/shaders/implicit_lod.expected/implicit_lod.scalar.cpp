@@ -19,6 +19,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = true;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 12;
 
 #line 5 "tests/emit/shaders/implicit_lod.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -34,7 +35,7 @@ struct Shader : Invocation {
     color += textureLod(iChannel0, uv, 1.5f) + textureGrad(iChannel0, uv, vec2(0.2f, 0.0f), vec2(0.0f, 0.1f));
 #line 9 "tests/emit/shaders/implicit_lod.glsl"
   }
-#line 38 "twin.cpp"
+#line 39 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,5 +1,5 @@
 #version 310 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; uint shadertwin_safe_uint(float x) { uint r = uint(x); return x >= 4294967296.0 ? 4294967295u : x > 0.0 ? r : 0u; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(local_size_x = 8, local_size_y = 8) in; layout(rgba32f, binding = 7) writeonly uniform highp image2D shadertwin_target; uniform ivec2 shadertwin_origin; vec4 shadertwin_frag_coord; vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -25,7 +25,7 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
-uint h = uint ( p . x ) * 374761393u + uint ( p . y ) * 668265263u + uint ( iFrame ) * 2246822519u ;
+uint h = uint ( shadertwin_safe_uint(p . x) ) * 374761393u + uint ( shadertwin_safe_uint(p . y) ) * 668265263u + uint ( iFrame ) * 2246822519u ;
 h = ( h ^ ( h >> 13 ) ) * 1274126177u ;
 color = vec4 ( h & 255u , ( h >> 8 ) & 255u , ( h >> 16 ) & 255u , h >> 24 ) / 255.0 * 4.0 - 1.0 ;
 }

@@ -19,6 +19,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 46;
 
 #line 4 "tests/emit/shaders/inout.glsl"
   void add(Bool active, Float& a, Float b, Float& c) {
@@ -28,7 +29,7 @@ struct Shader : Invocation {
     set__(active, c, a * 2.0f);
 #line 4 "tests/emit/shaders/inout.glsl"
   }
-#line 32 "twin.cpp"
+#line 33 "twin.cpp"
 
 #line 5 "tests/emit/shaders/inout.glsl"
   void write(Bool active, vec2& v, Float x) {
@@ -36,7 +37,7 @@ struct Shader : Invocation {
     set__(active, v, vec2(x, -x));
 #line 5 "tests/emit/shaders/inout.glsl"
   }
-#line 40 "twin.cpp"
+#line 41 "twin.cpp"
 
 #line 6 "tests/emit/shaders/inout.glsl"
   Float touch_global(Bool active, vec3& v) {
@@ -50,7 +51,7 @@ struct Shader : Invocation {
     return shared_value.x + v.y;
 #line 6 "tests/emit/shaders/inout.glsl"
   }
-#line 54 "twin.cpp"
+#line 55 "twin.cpp"
 
 #line 7 "tests/emit/shaders/inout.glsl"
   Float next(Bool active, Float& s) {
@@ -60,7 +61,7 @@ struct Shader : Invocation {
     return s;
 #line 7 "tests/emit/shaders/inout.glsl"
   }
-#line 64 "twin.cpp"
+#line 65 "twin.cpp"
 
 #line 8 "tests/emit/shaders/inout.glsl"
   void half_written(Bool active, vec4& v, float x) {
@@ -76,7 +77,7 @@ struct Shader : Invocation {
     set__(active, v.z, 1.0f);
 #line 8 "tests/emit/shaders/inout.glsl"
   }
-#line 80 "twin.cpp"
+#line 81 "twin.cpp"
 
 #line 9 "tests/emit/shaders/inout.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -138,7 +139,7 @@ struct Shader : Invocation {
     }
 #line 23 "tests/emit/shaders/inout.glsl"
   }
-#line 142 "twin.cpp"
+#line 143 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,5 +1,5 @@
 #version 310 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; } int shadertwin_safe_divide(int a, int b) { int d = b == 0 || b == -1 ? 1 : b, r = a / d; return b == 0 ? -1 : b == -1 ? -a : r; } ivec2 shadertwin_safe_divide(ivec2 a, ivec2 b) { return ivec2(shadertwin_safe_divide(a.x, b.x), shadertwin_safe_divide(a.y, b.y)); } int shadertwin_safe_modulo(int a, int b) { int d = b == 0 || b == -1 ? 1 : b, r = a - a / d * d; return b == 0 ? -1 : r; } ivec2 shadertwin_safe_modulo(ivec2 a, int b) { return ivec2(shadertwin_safe_modulo(a.x, b), shadertwin_safe_modulo(a.y, b)); } ivec2 shadertwin_safe_modulo_to(inout ivec2 a, int b) { return a = shadertwin_safe_modulo(a, b); } ivec2 shadertwin_safe_int(vec2 a) { return ivec2(shadertwin_safe_int(a.x), shadertwin_safe_int(a.y)); }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(local_size_x = 8, local_size_y = 8) in; layout(rgba32f, binding = 7) writeonly uniform highp image2D shadertwin_target; uniform ivec2 shadertwin_origin; vec4 shadertwin_frag_coord; vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -25,22 +25,22 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
-int x = int ( p . x ) - 8 , y = int ( p . y ) ;
-uint u = uint ( int ( p . x ) ) * 2654435769u + uint ( y ) * 0x9E3779B9u ;
+int x = int ( shadertwin_safe_int(p . x) ) - 8 , y = int ( shadertwin_safe_int(p . y) ) ;
+uint u = uint ( int ( shadertwin_safe_int(p . x) ) ) * 2654435769u + uint ( y ) * 0x9E3779B9u ;
 u ^= u >> 16 ; u *= 0x85ebca6bu ; u ^= u >> 13 ; u += 1U << 31 ;
 int wrapped = 2147483647 + x + 8 ;
 int product = 65537 * ( y + 65536 ) ;
 ivec3 v = ivec3 ( x , y , 7 ) * 3 - ivec3 ( 1 ) ;
 v . zx = abs ( v . zx ) ;
 v ^= ivec3 ( 5 ) ; v |= 8 ; v &= ~ 2 ;
-ivec2 d = ivec2 ( 17 , - 17 ) / ivec2 ( y + 1 , 3 ) ;
-int m = ( y + 20 ) % 7 ;
+ivec2 d = shadertwin_safe_divide(ivec2 ( 17 , - 17 ) , ivec2 ( y + 1 , 3 )) ;
+int m = shadertwin_safe_modulo(( y + 20 ) , 7) ;
 uvec2 q = uvec2 ( u ) >> uvec2 ( 3u , 5u ) ;
 q <<= 2u ;
-q . yx ^= q ; q . yx |= 1u ; q . yx &= q * 3u ; q . yx <<= 1u ; q . yx >>= uvec2 ( 1u , 2u ) ; v . zx %= 11 ; v . xz /= 2 ;
+q . yx ^= q ; q . yx |= 1u ; q . yx &= q * 3u ; q . yx <<= 1u ; q . yx >>= uvec2 ( 1u , 2u ) ; shadertwin_safe_modulo_to(v . zx , 11) ; v . xz /= 2 ;
 x <<= 1 ; x >>= 2 ; x ++ ; -- x ;
 bool odd = ( y & 1 ) == 1 ^^ x > 0 ;
-ivec2 rounded = ivec2 ( vec2 ( p . x - 8.0 , p . y ) * 1.75 ) ;
+ivec2 rounded = ivec2 ( shadertwin_safe_int(vec2 ( p . x - 8.0 , p . y ) * 1.75) ) ;
 color = vec4 ( float ( u >> 8 ) , float ( wrapped / 1000 ) , float ( product ) , float ( v . x + v . y * 16 + v . z * 256 ) ) ;
 if ( mod ( p . x , 2.0 ) > 1.0 )
 color = vec4 ( float ( d . x - d . y ) , float ( m ) , float ( q . x ^ q . y ) , float ( rounded . x * 10 + rounded . y ) + ( odd ? 0.5 : 0.0 ) ) ;

@@ -15,6 +15,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 26;
 
 #line 2 "tests/emit/shaders/integers.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -78,7 +79,7 @@ struct Shader : Invocation {
     }
 #line 22 "tests/emit/shaders/integers.glsl"
   }
-#line 82 "twin.cpp"
+#line 83 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

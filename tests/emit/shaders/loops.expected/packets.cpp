@@ -15,6 +15,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 30;
 
 #line 2 "tests/emit/shaders/loops.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -192,7 +193,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(a, b, sum, fresh + float(n) + float(i) + later));
 #line 20 "tests/emit/shaders/loops.glsl"
   }
-#line 196 "twin.cpp"
+#line 197 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -15,6 +15,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 30;
 
 #line 2 "tests/emit/shaders/loops.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -148,7 +149,7 @@ struct Shader : Invocation {
     color = vec4(a, b, sum, fresh + Float(n) + Float(i) + later);
 #line 20 "tests/emit/shaders/loops.glsl"
   }
-#line 152 "twin.cpp"
+#line 153 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -15,6 +15,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 116;
 
 #line 2 "tests/emit/shaders/matrices.glsl"
   mat3 rotation(Float a) {
@@ -26,7 +27,7 @@ struct Shader : Invocation {
     return mat3(c, -s, 0.0f, s, c, 0.0f, 0.0f, 0.0f, 1.0f);
 #line 2 "tests/emit/shaders/matrices.glsl"
   }
-#line 30 "twin.cpp"
+#line 31 "twin.cpp"
 
 #line 3 "tests/emit/shaders/matrices.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -101,7 +102,7 @@ struct Shader : Invocation {
     }
 #line 22 "tests/emit/shaders/matrices.glsl"
   }
-#line 105 "twin.cpp"
+#line 106 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

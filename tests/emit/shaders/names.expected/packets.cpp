@@ -44,6 +44,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 59;
 
 #line 3 "tests/emit/shaders/names.glsl"
   float class__(Bool active, float a) {
@@ -51,7 +52,7 @@ struct Shader : Invocation {
     return a;
 #line 3 "tests/emit/shaders/names.glsl"
   }
-#line 55 "twin.cpp"
+#line 56 "twin.cpp"
 
 #line 4 "tests/emit/shaders/names.glsl"
   float delete_(Bool active, float this__) {
@@ -59,7 +60,7 @@ struct Shader : Invocation {
     return this__ + 1.0f;
 #line 4 "tests/emit/shaders/names.glsl"
   }
-#line 63 "twin.cpp"
+#line 64 "twin.cpp"
 
 #line 5 "tests/emit/shaders/names.glsl"
   float int__(Bool active, float and_) {
@@ -69,7 +70,7 @@ struct Shader : Invocation {
     return or_;
 #line 5 "tests/emit/shaders/names.glsl"
   }
-#line 73 "twin.cpp"
+#line 74 "twin.cpp"
 
 #line 6 "tests/emit/shaders/names.glsl"
   float fract__(Bool active, float x) {
@@ -77,7 +78,7 @@ struct Shader : Invocation {
     return x - floor(x);
 #line 6 "tests/emit/shaders/names.glsl"
   }
-#line 81 "twin.cpp"
+#line 82 "twin.cpp"
 
 #line 7 "tests/emit/shaders/names.glsl"
   Float array_(Bool active, Float std_) {
@@ -85,7 +86,7 @@ struct Shader : Invocation {
     return std_ * 3.0f;
 #line 7 "tests/emit/shaders/names.glsl"
   }
-#line 89 "twin.cpp"
+#line 90 "twin.cpp"
 
 #line 8 "tests/emit/shaders/names.glsl"
   float swizzle_(Bool active, float at_) {
@@ -93,7 +94,7 @@ struct Shader : Invocation {
     return at_ - 1.0f;
 #line 8 "tests/emit/shaders/names.glsl"
   }
-#line 97 "twin.cpp"
+#line 98 "twin.cpp"
 
 #line 9 "tests/emit/shaders/names.glsl"
   Float _Complex_(Bool active, Float _Atomic_) {
@@ -101,7 +102,7 @@ struct Shader : Invocation {
     return _Atomic_;
 #line 9 "tests/emit/shaders/names.glsl"
   }
-#line 105 "twin.cpp"
+#line 106 "twin.cpp"
 
 #line 13 "tests/emit/shaders/names.glsl"
   float map(Bool active, uniform::vec3 p) {
@@ -109,7 +110,7 @@ struct Shader : Invocation {
     return p.x;
 #line 13 "tests/emit/shaders/names.glsl"
   }
-#line 113 "twin.cpp"
+#line 114 "twin.cpp"
 
 #line 14 "tests/emit/shaders/names.glsl"
   Float noise(Bool active, Float p) {
@@ -117,7 +118,7 @@ struct Shader : Invocation {
     return p * 0.5f;
 #line 14 "tests/emit/shaders/names.glsl"
   }
-#line 121 "twin.cpp"
+#line 122 "twin.cpp"
 
 #line 16 "tests/emit/shaders/names.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -176,7 +177,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(noise_2 + length_2 + mix, char_ + signed_ * new_ + nullptr_ + main_ + thread_local_ + xor_ + not_eq_ + wchar_t_, array__ + Shader_ + vec + glm + tmp + make_ + divide_ + lane_ + swizzle_(active, delete_(active, int__(active, 1.0f))), M_PI + NULL + EOF + assert + errno + INFINITY + s.friend__.y + s.operator__ + uv_2.y + map(active, uniform::vec3(1.0f)) + class__(active, 2.0f) + fract__(active, 1.25f)));
 #line 23 "tests/emit/shaders/names.glsl"
   }
-#line 180 "twin.cpp"
+#line 181 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -43,6 +43,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 59;
 
 #line 3 "tests/emit/shaders/names.glsl"
   Float class__(Float a) {
@@ -50,7 +51,7 @@ struct Shader : Invocation {
     return a;
 #line 3 "tests/emit/shaders/names.glsl"
   }
-#line 54 "twin.cpp"
+#line 55 "twin.cpp"
 
 #line 4 "tests/emit/shaders/names.glsl"
   Float delete_(Float this__) {
@@ -58,7 +59,7 @@ struct Shader : Invocation {
     return this__ + 1.0f;
 #line 4 "tests/emit/shaders/names.glsl"
   }
-#line 62 "twin.cpp"
+#line 63 "twin.cpp"
 
 #line 5 "tests/emit/shaders/names.glsl"
   Float int__(Float and_) {
@@ -68,7 +69,7 @@ struct Shader : Invocation {
     return or_;
 #line 5 "tests/emit/shaders/names.glsl"
   }
-#line 72 "twin.cpp"
+#line 73 "twin.cpp"
 
 #line 6 "tests/emit/shaders/names.glsl"
   Float fract__(Float x) {
@@ -76,7 +77,7 @@ struct Shader : Invocation {
     return x - floor(x);
 #line 6 "tests/emit/shaders/names.glsl"
   }
-#line 80 "twin.cpp"
+#line 81 "twin.cpp"
 
 #line 7 "tests/emit/shaders/names.glsl"
   Float array_(Float std_) {
@@ -84,7 +85,7 @@ struct Shader : Invocation {
     return std_ * 3.0f;
 #line 7 "tests/emit/shaders/names.glsl"
   }
-#line 88 "twin.cpp"
+#line 89 "twin.cpp"
 
 #line 8 "tests/emit/shaders/names.glsl"
   Float swizzle_(Float at_) {
@@ -92,7 +93,7 @@ struct Shader : Invocation {
     return at_ - 1.0f;
 #line 8 "tests/emit/shaders/names.glsl"
   }
-#line 96 "twin.cpp"
+#line 97 "twin.cpp"
 
 #line 9 "tests/emit/shaders/names.glsl"
   Float _Complex_(Float _Atomic_) {
@@ -100,7 +101,7 @@ struct Shader : Invocation {
     return _Atomic_;
 #line 9 "tests/emit/shaders/names.glsl"
   }
-#line 104 "twin.cpp"
+#line 105 "twin.cpp"
 
 #line 13 "tests/emit/shaders/names.glsl"
   Float map(vec3 p) {
@@ -108,7 +109,7 @@ struct Shader : Invocation {
     return p.x;
 #line 13 "tests/emit/shaders/names.glsl"
   }
-#line 112 "twin.cpp"
+#line 113 "twin.cpp"
 
 #line 14 "tests/emit/shaders/names.glsl"
   Float noise(Float p) {
@@ -116,7 +117,7 @@ struct Shader : Invocation {
     return p * 0.5f;
 #line 14 "tests/emit/shaders/names.glsl"
   }
-#line 120 "twin.cpp"
+#line 121 "twin.cpp"
 
 #line 16 "tests/emit/shaders/names.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -175,7 +176,7 @@ struct Shader : Invocation {
     color = vec4(noise_2 + length_2 + mix, char_ + signed_ * new_ + nullptr_ + main_ + thread_local_ + xor_ + not_eq_ + wchar_t_, array__ + Shader_ + vec + glm + tmp + make_ + divide_ + lane_ + swizzle_(delete_(int__(1.0f))), M_PI + NULL + EOF + assert + errno + INFINITY + s.friend__.y + s.operator__ + uv_2.y + map(vec3(1.0f)) + class__(2.0f) + fract__(1.25f));
 #line 23 "tests/emit/shaders/names.glsl"
   }
-#line 179 "twin.cpp"
+#line 180 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,5 +1,5 @@
 #version 300 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; } uint shadertwin_safe_uint(float x) { uint r = uint(x); return x >= 4294967296.0 ? 4294967295u : x > 0.0 ? r : 0u; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -39,6 +39,6 @@ bool f ( bool b ) { return ! b ; }
 void nothing ( ) { }
 vec4 zero ( ) { nothing ( ) ; return vec4 ( 0 ) ; }
 void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
-color = zero ( ) + vec4 ( f ( p . x ) + f ( int ( p . x ) ) , f ( p , 2.0 ) , f ( uint ( p . y ) ) + f ( mat2 ( p . x ) ) , g ( p . y , 3 ) + f ( float [ 2 ] ( p . x , p . y ) ) + ( f ( p . x > 3.0 ) ? 1.0 : 0.0 ) ) ;
+color = zero ( ) + vec4 ( f ( p . x ) + f ( int ( shadertwin_safe_int(p . x) ) ) , f ( p , 2.0 ) , f ( uint ( shadertwin_safe_uint(p . y) ) ) + f ( mat2 ( p . x ) ) , g ( p . y , 3 ) + f ( float [ 2 ] ( p . x , p . y ) ) + ( f ( p . x > 3.0 ) ? 1.0 : 0.0 ) ) ;
 }
 void main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

@@ -1,5 +1,5 @@
 #version 310 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; } uint shadertwin_safe_uint(float x) { uint r = uint(x); return x >= 4294967296.0 ? 4294967295u : x > 0.0 ? r : 0u; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(local_size_x = 8, local_size_y = 8) in; layout(rgba32f, binding = 7) writeonly uniform highp image2D shadertwin_target; uniform ivec2 shadertwin_origin; vec4 shadertwin_frag_coord; vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -39,7 +39,7 @@ bool f ( bool b ) { return ! b ; }
 void nothing ( ) { }
 vec4 zero ( ) { nothing ( ) ; return vec4 ( 0 ) ; }
 void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
-color = zero ( ) + vec4 ( f ( p . x ) + f ( int ( p . x ) ) , f ( p , 2.0 ) , f ( uint ( p . y ) ) + f ( mat2 ( p . x ) ) , g ( p . y , 3 ) + f ( float [ 2 ] ( p . x , p . y ) ) + ( f ( p . x > 3.0 ) ? 1.0 : 0.0 ) ) ;
+color = zero ( ) + vec4 ( f ( p . x ) + f ( int ( shadertwin_safe_int(p . x) ) ) , f ( p , 2.0 ) , f ( uint ( shadertwin_safe_uint(p . y) ) ) + f ( mat2 ( p . x ) ) , g ( p . y , 3 ) + f ( float [ 2 ] ( p . x , p . y ) ) + ( f ( p . x > 3.0 ) ? 1.0 : 0.0 ) ) ;
 }
 void shadertwin_main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , shadertwin_frag_coord . xy ) ; shadertoy_out_color = shadertoy_color ; }
 void main() { ivec2 shadertwin_pixel = ivec2(gl_GlobalInvocationID.xy) + shadertwin_origin;

@@ -15,6 +15,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 29;
 
 #line 5 "tests/emit/shaders/overloads.glsl"
   Float g(Float x, int unused) {
@@ -22,7 +23,7 @@ struct Shader : Invocation {
     return x + 1.0f;
 #line 5 "tests/emit/shaders/overloads.glsl"
   }
-#line 26 "twin.cpp"
+#line 27 "twin.cpp"
 
 #line 6 "tests/emit/shaders/overloads.glsl"
   Float f(uint u) {
@@ -30,7 +31,7 @@ struct Shader : Invocation {
     return Float(u) + 0.125f;
 #line 6 "tests/emit/shaders/overloads.glsl"
   }
-#line 34 "twin.cpp"
+#line 35 "twin.cpp"
 
 #line 7 "tests/emit/shaders/overloads.glsl"
   Float f(int i) {
@@ -38,7 +39,7 @@ struct Shader : Invocation {
     return Float(i) + 0.25f;
 #line 7 "tests/emit/shaders/overloads.glsl"
   }
-#line 42 "twin.cpp"
+#line 43 "twin.cpp"
 
 #line 8 "tests/emit/shaders/overloads.glsl"
   Float f(Float x) {
@@ -46,7 +47,7 @@ struct Shader : Invocation {
     return x + 0.5f;
 #line 8 "tests/emit/shaders/overloads.glsl"
   }
-#line 50 "twin.cpp"
+#line 51 "twin.cpp"
 
 #line 9 "tests/emit/shaders/overloads.glsl"
   Float f(vec2 v) {
@@ -54,7 +55,7 @@ struct Shader : Invocation {
     return f(v.x) + f(v.y);
 #line 9 "tests/emit/shaders/overloads.glsl"
   }
-#line 58 "twin.cpp"
+#line 59 "twin.cpp"
 
 #line 10 "tests/emit/shaders/overloads.glsl"
   Float f(vec2 v, Float w) {
@@ -62,7 +63,7 @@ struct Shader : Invocation {
     return f(v) * w;
 #line 10 "tests/emit/shaders/overloads.glsl"
   }
-#line 66 "twin.cpp"
+#line 67 "twin.cpp"
 
 #line 11 "tests/emit/shaders/overloads.glsl"
   Float f(mat2 m) {
@@ -70,7 +71,7 @@ struct Shader : Invocation {
     return m[0].x;
 #line 11 "tests/emit/shaders/overloads.glsl"
   }
-#line 74 "twin.cpp"
+#line 75 "twin.cpp"
 
 #line 12 "tests/emit/shaders/overloads.glsl"
   Float f(array<Float, 2> v) {
@@ -78,7 +79,7 @@ struct Shader : Invocation {
     return v[0] - v[1];
 #line 12 "tests/emit/shaders/overloads.glsl"
   }
-#line 82 "twin.cpp"
+#line 83 "twin.cpp"
 
 #line 13 "tests/emit/shaders/overloads.glsl"
   bool f(bool b) {
@@ -86,13 +87,13 @@ struct Shader : Invocation {
     return !b;
 #line 13 "tests/emit/shaders/overloads.glsl"
   }
-#line 90 "twin.cpp"
+#line 91 "twin.cpp"
 
 #line 14 "tests/emit/shaders/overloads.glsl"
   void nothing() {
 #line 14 "tests/emit/shaders/overloads.glsl"
   }
-#line 96 "twin.cpp"
+#line 97 "twin.cpp"
 
 #line 15 "tests/emit/shaders/overloads.glsl"
   vec4 zero() {
@@ -102,14 +103,14 @@ struct Shader : Invocation {
     return vec4(0.0f);
 #line 15 "tests/emit/shaders/overloads.glsl"
   }
-#line 106 "twin.cpp"
+#line 107 "twin.cpp"
 
 #line 16 "tests/emit/shaders/overloads.glsl"
   void mainImage(vec4& color, vec2 p) {
     color = zero() + vec4(f(p.x) + f(make<int>(p.x)), f(p, 2.0f), f(make<uint>(p.y)) + f(mat2(p.x)), g(p.y, 3) + f(array<Float, 2>{{p.x, p.y}}) + (f(p.x > 3.0f) ? 1.0f : 0.0f));
 #line 17 "tests/emit/shaders/overloads.glsl"
   }
-#line 113 "twin.cpp"
+#line 114 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -1,5 +1,5 @@
 #version 300 es
-precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
+precision highp float; precision highp int; int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; } int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -36,7 +36,7 @@ float gone ( float x ) { if ( x > 14.0 ) discard ; return 1.0 ; }
 int total = 0 ;
 int grow ( ) { total += 3 ; return total ; }
 void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
-int k = int ( p . x ) & 1 ;
+int k = int ( shadertwin_safe_int(p . x) ) & 1 ;
 float n = 0.0 , d = 0.0 ;
 for ( int i = 0 ; i ++ < 10 && ( d = map ( p . x + float ( i ) ) ) > 0.5 ; ) n += 1.0 ;
 int m = 0 ;

@@ -1,5 +1,5 @@
 #version 320 es
-precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
+precision highp float; precision highp int; int shadertwin_safe_int ( precise float x ) { precise bool shadertwin_test; precise int shadertwin_result; precise int r = int ( x ) ; return (shadertwin_result = (x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r)) ; } int shadertwin_at ( precise int i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (clamp ( i , 0 , last ))) ; } int shadertwin_at ( precise uint i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (int ( min ( i , uint ( last ) ) ))) ; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -36,7 +36,7 @@ float gone ( precise float x ) { precise bool shadertwin_test; precise float sha
 precise int total = 0 ;
 int grow ( ) { precise bool shadertwin_test; precise int shadertwin_result; total += 3 ; return (shadertwin_result = (total)) ; }
 void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
-precise int k = int ( p . x ) & 1 ;
+precise int k = int ( shadertwin_safe_int ( p . x ) ) & 1 ;
 precise float n = 0.0 , d = 0.0 ;
 for ( precise int i = 0 ; (shadertwin_test = (i ++ < 10 && ( d = map ( p . x + float ( i ) ) ) > 0.5)) ; ) n += 1.0 ;
 precise int m = 0 ;

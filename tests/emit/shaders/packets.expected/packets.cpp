@@ -19,6 +19,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 53;
 
 #line 3 "tests/emit/shaders/packets.glsl"
   Float f(Bool active, Float x) {
@@ -26,7 +27,7 @@ struct Shader : Invocation {
     return x * 0.5f;
 #line 3 "tests/emit/shaders/packets.glsl"
   }
-#line 30 "twin.cpp"
+#line 31 "twin.cpp"
 
 #line 4 "tests/emit/shaders/packets.glsl"
   float f(Bool active, int x) {
@@ -34,7 +35,7 @@ struct Shader : Invocation {
     return float(x) + 10.0f;
 #line 4 "tests/emit/shaders/packets.glsl"
   }
-#line 38 "twin.cpp"
+#line 39 "twin.cpp"
 
 #line 5 "tests/emit/shaders/packets.glsl"
   Float map(Bool active, Float x) {
@@ -42,7 +43,7 @@ struct Shader : Invocation {
     return 1.0f - 0.05f * x;
 #line 5 "tests/emit/shaders/packets.glsl"
   }
-#line 46 "twin.cpp"
+#line 47 "twin.cpp"
 
 #line 6 "tests/emit/shaders/packets.glsl"
   void two(Bool active, Float& a, Float& b) {
@@ -54,7 +55,7 @@ struct Shader : Invocation {
     set__(active, b, 4.0f);
 #line 6 "tests/emit/shaders/packets.glsl"
   }
-#line 58 "twin.cpp"
+#line 59 "twin.cpp"
 
 #line 7 "tests/emit/shaders/packets.glsl"
   void set(Bool active, vec2& a) {
@@ -62,7 +63,7 @@ struct Shader : Invocation {
     set__(active, a, vec2(7.0f, 8.0f));
 #line 7 "tests/emit/shaders/packets.glsl"
   }
-#line 66 "twin.cpp"
+#line 67 "twin.cpp"
 
 #line 9 "tests/emit/shaders/packets.glsl"
   float touch(Bool active, Int i) {
@@ -78,7 +79,7 @@ struct Shader : Invocation {
     return 1.0f;
 #line 9 "tests/emit/shaders/packets.glsl"
   }
-#line 82 "twin.cpp"
+#line 83 "twin.cpp"
 
 #line 10 "tests/emit/shaders/packets.glsl"
   float gone(Bool active, Float x) {
@@ -96,7 +97,7 @@ struct Shader : Invocation {
     return 1.0f;
 #line 10 "tests/emit/shaders/packets.glsl"
   }
-#line 100 "twin.cpp"
+#line 101 "twin.cpp"
 
 #line 12 "tests/emit/shaders/packets.glsl"
   Int grow(Bool active) {
@@ -106,7 +107,7 @@ struct Shader : Invocation {
     return total;
 #line 12 "tests/emit/shaders/packets.glsl"
   }
-#line 110 "twin.cpp"
+#line 111 "twin.cpp"
 
 #line 13 "tests/emit/shaders/packets.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -297,7 +298,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(n + float(m) * 16.0f + ((b) ? 100.0f : 0.0f) + f(active, p.x) + f(active, Float(0.5f)) + f(active, 1) * 1000.0f, at(e, k).x + 10.0f * at(e, k).y + a[0].x + a[0].y * 3.0f + a[1].x * 100.0f + float(j) * 1000.0f, shared_[0].x + shared_[0].y * 2.0f + shared_[1].x * 4.0f + shared_[1].y * 8.0f + make<Float>(total) * 100.0f, grid[0] + grid[1] * 3.0f + float(h) * 100.0f + at(c, k).x * 7.0f + float(s) * 1000.0f + r * 0.5f + sum));
 #line 44 "tests/emit/shaders/packets.glsl"
   }
-#line 301 "twin.cpp"
+#line 302 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -19,6 +19,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = true;
+  static constexpr std::size_t components__ = 53;
 
 #line 3 "tests/emit/shaders/packets.glsl"
   Float f(Float x) {
@@ -26,7 +27,7 @@ struct Shader : Invocation {
     return x * 0.5f;
 #line 3 "tests/emit/shaders/packets.glsl"
   }
-#line 30 "twin.cpp"
+#line 31 "twin.cpp"
 
 #line 4 "tests/emit/shaders/packets.glsl"
   Float f(int x) {
@@ -34,7 +35,7 @@ struct Shader : Invocation {
     return Float(x) + 10.0f;
 #line 4 "tests/emit/shaders/packets.glsl"
   }
-#line 38 "twin.cpp"
+#line 39 "twin.cpp"
 
 #line 5 "tests/emit/shaders/packets.glsl"
   Float map(Float x) {
@@ -42,7 +43,7 @@ struct Shader : Invocation {
     return 1.0f - 0.05f * x;
 #line 5 "tests/emit/shaders/packets.glsl"
   }
-#line 46 "twin.cpp"
+#line 47 "twin.cpp"
 
 #line 6 "tests/emit/shaders/packets.glsl"
   void two(Float& a, Float& b) {
@@ -54,7 +55,7 @@ struct Shader : Invocation {
     b = 4.0f;
 #line 6 "tests/emit/shaders/packets.glsl"
   }
-#line 58 "twin.cpp"
+#line 59 "twin.cpp"
 
 #line 7 "tests/emit/shaders/packets.glsl"
   void set(vec2& a) {
@@ -62,7 +63,7 @@ struct Shader : Invocation {
     a = vec2(7.0f, 8.0f);
 #line 7 "tests/emit/shaders/packets.glsl"
   }
-#line 66 "twin.cpp"
+#line 67 "twin.cpp"
 
 #line 9 "tests/emit/shaders/packets.glsl"
   Float touch(int i) {
@@ -72,7 +73,7 @@ struct Shader : Invocation {
     return 1.0f;
 #line 9 "tests/emit/shaders/packets.glsl"
   }
-#line 76 "twin.cpp"
+#line 77 "twin.cpp"
 
 #line 10 "tests/emit/shaders/packets.glsl"
   Float gone(Float x) {
@@ -86,7 +87,7 @@ struct Shader : Invocation {
     return 1.0f;
 #line 10 "tests/emit/shaders/packets.glsl"
   }
-#line 90 "twin.cpp"
+#line 91 "twin.cpp"
 
 #line 12 "tests/emit/shaders/packets.glsl"
   int grow() {
@@ -96,7 +97,7 @@ struct Shader : Invocation {
     return total;
 #line 12 "tests/emit/shaders/packets.glsl"
   }
-#line 100 "twin.cpp"
+#line 101 "twin.cpp"
 
 #line 13 "tests/emit/shaders/packets.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -177,7 +178,7 @@ struct Shader : Invocation {
     color = vec4(n + Float(m) * 16.0f + (b ? 100.0f : 0.0f) + f(p.x) + f(0.5f) + f(1) * 1000.0f, e[k].x + 10.0f * e[k].y + a[0].x + a[0].y * 3.0f + a[1].x * 100.0f + Float(j) * 1000.0f, shared_[0].x + shared_[0].y * 2.0f + shared_[1].x * 4.0f + shared_[1].y * 8.0f + Float(total) * 100.0f, grid[0] + grid[1] * 3.0f + Float(h) * 100.0f + c[k].x * 7.0f + Float(s) * 1000.0f + r * 0.5f + sum);
 #line 44 "tests/emit/shaders/packets.glsl"
   }
-#line 181 "twin.cpp"
+#line 182 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -23,6 +23,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 19;
 
 #line 26 "tests/emit/shaders/preprocessor.glsl"
   void mainImage(vec4& O, vec2 U) {
@@ -40,7 +41,7 @@ struct Shader : Invocation {
     O = vec4(acc + 0.5f, uv, THIRD * time_scale + (iTime + 0.25f));
 #line 30 "tests/emit/shaders/preprocessor.glsl"
   }
-#line 44 "twin.cpp"
+#line 45 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -17,6 +17,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 44;
 
 #line 3 "tests/emit/shaders/side_effects.glsl"
   Int next(Bool active) {
@@ -28,7 +29,7 @@ struct Shader : Invocation {
     return tmp;
 #line 3 "tests/emit/shaders/side_effects.glsl"
   }
-#line 32 "twin.cpp"
+#line 33 "twin.cpp"
 
 #line 4 "tests/emit/shaders/side_effects.glsl"
   Float take(Bool active, array<Float, 4>& list, Int i) {
@@ -44,7 +45,7 @@ struct Shader : Invocation {
     return at(list, i);
 #line 4 "tests/emit/shaders/side_effects.glsl"
   }
-#line 48 "twin.cpp"
+#line 49 "twin.cpp"
 
 #line 5 "tests/emit/shaders/side_effects.glsl"
   Float both(Bool active, Float& a, Float& b) {
@@ -58,7 +59,7 @@ struct Shader : Invocation {
     return a - b;
 #line 5 "tests/emit/shaders/side_effects.glsl"
   }
-#line 62 "twin.cpp"
+#line 63 "twin.cpp"
 
 #line 6 "tests/emit/shaders/side_effects.glsl"
   vec3 sample_(Bool active, Uint& s) {
@@ -68,7 +69,7 @@ struct Shader : Invocation {
     return vec3(make<Float>(s >> 8), make<Float>(s >> 16), make<Float>(s >> 24)) / 256.0f;
 #line 6 "tests/emit/shaders/side_effects.glsl"
   }
-#line 72 "twin.cpp"
+#line 73 "twin.cpp"
 
 #line 7 "tests/emit/shaders/side_effects.glsl"
   Bool more(Bool active, Int& n) {
@@ -78,7 +79,7 @@ struct Shader : Invocation {
     return n > 0;
 #line 7 "tests/emit/shaders/side_effects.glsl"
   }
-#line 82 "twin.cpp"
+#line 83 "twin.cpp"
 
 #line 8 "tests/emit/shaders/side_effects.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -213,7 +214,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(t + list[0] * 0.5f, u + v.x, v.y + w.x + m[0].y, sum + w.y * 0.125f + make<Float>(k) + m[1].x));
 #line 23 "tests/emit/shaders/side_effects.glsl"
   }
-#line 217 "twin.cpp"
+#line 218 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

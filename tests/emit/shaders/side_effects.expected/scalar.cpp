@@ -17,6 +17,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 44;
 
 #line 3 "tests/emit/shaders/side_effects.glsl"
   int next() {
@@ -24,7 +25,7 @@ struct Shader : Invocation {
     return k++;
 #line 3 "tests/emit/shaders/side_effects.glsl"
   }
-#line 28 "twin.cpp"
+#line 29 "twin.cpp"
 
 #line 4 "tests/emit/shaders/side_effects.glsl"
   Float take(array<Float, 4>& list, int i) {
@@ -34,7 +35,7 @@ struct Shader : Invocation {
     return list[i];
 #line 4 "tests/emit/shaders/side_effects.glsl"
   }
-#line 38 "twin.cpp"
+#line 39 "twin.cpp"
 
 #line 5 "tests/emit/shaders/side_effects.glsl"
   Float both(Float& a, Float& b) {
@@ -48,7 +49,7 @@ struct Shader : Invocation {
     return a - b;
 #line 5 "tests/emit/shaders/side_effects.glsl"
   }
-#line 52 "twin.cpp"
+#line 53 "twin.cpp"
 
 #line 6 "tests/emit/shaders/side_effects.glsl"
   vec3 sample_(uint& s) {
@@ -58,7 +59,7 @@ struct Shader : Invocation {
     return vec3(Float(s >> 8), Float(s >> 16), Float(s >> 24)) / 256.0f;
 #line 6 "tests/emit/shaders/side_effects.glsl"
   }
-#line 62 "twin.cpp"
+#line 63 "twin.cpp"
 
 #line 7 "tests/emit/shaders/side_effects.glsl"
   bool more(int& n) {
@@ -66,7 +67,7 @@ struct Shader : Invocation {
     return --n > 0;
 #line 7 "tests/emit/shaders/side_effects.glsl"
   }
-#line 70 "twin.cpp"
+#line 71 "twin.cpp"
 
 #line 8 "tests/emit/shaders/side_effects.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -137,7 +138,7 @@ struct Shader : Invocation {
     color = vec4(t + list[0] * 0.5f, u + v.x, v.y + w.x + m[0].y, sum + w.y * 0.125f + Float(k) + m[1].x);
 #line 23 "tests/emit/shaders/side_effects.glsl"
   }
-#line 141 "twin.cpp"
+#line 142 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -17,6 +17,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 14;
 
 #line 2 "tests/emit/shaders/special_calls.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -41,7 +42,7 @@ struct Shader : Invocation {
     }
 #line 7 "tests/emit/shaders/special_calls.glsl"
   }
-#line 45 "twin.cpp"
+#line 46 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

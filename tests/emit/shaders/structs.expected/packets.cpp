@@ -44,6 +44,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 155;
 
 #line 4 "tests/emit/shaders/structs.glsl"
   Outer make_outer(Bool active, Float x) {
@@ -51,7 +52,7 @@ struct Shader : Invocation {
     return Outer{Inner{vec2(x, 2.0f * x), array<Float, 2>{{x * 5.0f, x * 3.0f}}}, make<mat2>(x, 0.0f, 0.0f, x), make<Int>(x * 10.0f), x > 0.5f};
 #line 4 "tests/emit/shaders/structs.glsl"
   }
-#line 55 "twin.cpp"
+#line 56 "twin.cpp"
 
 #line 5 "tests/emit/shaders/structs.glsl"
   void change(Bool active, Outer& o, Inner from) {
@@ -63,7 +64,7 @@ struct Shader : Invocation {
     set__(active, o.n, o.n + 1);
 #line 5 "tests/emit/shaders/structs.glsl"
   }
-#line 67 "twin.cpp"
+#line 68 "twin.cpp"
 
 #line 6 "tests/emit/shaders/structs.glsl"
   Inner swapped(Bool active, Inner i) {
@@ -79,7 +80,7 @@ struct Shader : Invocation {
     return i;
 #line 6 "tests/emit/shaders/structs.glsl"
   }
-#line 83 "twin.cpp"
+#line 84 "twin.cpp"
 
 #line 9 "tests/emit/shaders/structs.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -110,7 +111,7 @@ struct Shader : Invocation {
     }
 #line 20 "tests/emit/shaders/structs.glsl"
   }
-#line 114 "twin.cpp"
+#line 115 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -41,6 +41,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 155;
 
 #line 4 "tests/emit/shaders/structs.glsl"
   Outer make_outer(Float x) {
@@ -48,7 +49,7 @@ struct Shader : Invocation {
     return Outer{Inner{vec2(x, 2.0f * x), array<Float, 2>{{x * 5.0f, x * 3.0f}}}, mat2(x, 0.0f, 0.0f, x), make<int>(x * 10.0f), x > 0.5f};
 #line 4 "tests/emit/shaders/structs.glsl"
   }
-#line 52 "twin.cpp"
+#line 53 "twin.cpp"
 
 #line 5 "tests/emit/shaders/structs.glsl"
   void change(Outer& o, Inner from) {
@@ -60,7 +61,7 @@ struct Shader : Invocation {
     o.n++;
 #line 5 "tests/emit/shaders/structs.glsl"
   }
-#line 64 "twin.cpp"
+#line 65 "twin.cpp"
 
 #line 6 "tests/emit/shaders/structs.glsl"
   Inner swapped(Inner i) {
@@ -76,7 +77,7 @@ struct Shader : Invocation {
     return i;
 #line 6 "tests/emit/shaders/structs.glsl"
   }
-#line 80 "twin.cpp"
+#line 81 "twin.cpp"
 
 #line 9 "tests/emit/shaders/structs.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -107,7 +108,7 @@ struct Shader : Invocation {
     }
 #line 20 "tests/emit/shaders/structs.glsl"
   }
-#line 111 "twin.cpp"
+#line 112 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

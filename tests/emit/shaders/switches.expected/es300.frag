@@ -1,5 +1,5 @@
 #version 300 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; int shadertwin_safe_modulo(int a, int b) { int d = b == 0 || b == -1 ? 1 : b, r = a - a / d * d; return b == 0 ? -1 : r; } int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; } uint shadertwin_safe_uint(float x) { uint r = uint(x); return x >= 4294967296.0 ? 4294967295u : x > 0.0 ? r : 0u; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -34,13 +34,13 @@ default : r = - 1.0 ; break ;
 case 4 : for ( int i = 0 ; i < 9 ; i ++ ) { if ( i == 3 ) break ; r += 4.0 ; } r += 0.5 ;
 case 5 : { r *= 2.0 ; }
 }
-switch ( k % 2 ) { case 0 : float z = 5.0 ; r += z ; break ; case 1 : z = 7.0 ; r -= z ; }
+switch ( shadertwin_safe_modulo(k , 2) ) { case 0 : float z = 5.0 ; r += z ; break ; case 1 : z = 7.0 ; r -= z ; }
 return r ;
 }
 float early ( float x ) { if ( x < 2.0 ) return x ; else if ( x < 4.0 ) { x *= 2.0 ; } else return - x ; for ( int i = 0 ; i < 3 ; i ++ ) if ( x > 5.0 ) return 9.0 ; return x ; }
 void nothing ( int k ) { switch ( k ) { case 1 : { return ; } case 2 : { } default : break ; { ; } } }
 int pick ( uint u ) { nothing ( int ( u ) ) ; switch ( u ) { case 3u : return 30 ; default : return 40 ; } return 0; }
 void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
-color = vec4 ( choose ( int ( p . x ) ) , early ( p . x ) , float ( pick ( uint ( p . y ) ) ) , early ( p . y ) ) ;
+color = vec4 ( choose ( int ( shadertwin_safe_int(p . x) ) ) , early ( p . x ) , float ( pick ( uint ( shadertwin_safe_uint(p . y) ) ) ) , early ( p . y ) ) ;
 }
 void main ( ) { vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

@@ -1,5 +1,5 @@
 #version 320 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; int shadertwin_safe_modulo ( precise int a , precise int b ) { precise bool shadertwin_test; precise int shadertwin_result; precise int d = b == 0 || b == - 1 ? 1 : b , r = a - a / d * d ; return (shadertwin_result = (b == 0 ? - 1 : r)) ; } int shadertwin_safe_int ( precise float x ) { precise bool shadertwin_test; precise int shadertwin_result; precise int r = int ( x ) ; return (shadertwin_result = (x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r)) ; } uint shadertwin_safe_uint ( precise float x ) { precise bool shadertwin_test; precise uint shadertwin_result; precise uint r = uint ( x ) ; return (shadertwin_result = (x >= 4294967296.0 ? 4294967295u : x > 0.0 ? r : 0u)) ; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -34,13 +34,13 @@ default : r = - 1.0 ; break ;
 case 4 : for ( precise int i = 0 ; (shadertwin_test = (i < 9)) ; i ++ ) { if ( (shadertwin_test = (i == 3)) ) break ; r += 4.0 ; } r += 0.5 ;
 case 5 : { r *= 2.0 ; }
 }
-switch ( k % 2 ) { case 0 : precise float z = 5.0 ; r += z ; break ; case 1 : z = 7.0 ; r -= z ; }
+switch ( shadertwin_safe_modulo ( k , 2 ) ) { case 0 : precise float z = 5.0 ; r += z ; break ; case 1 : z = 7.0 ; r -= z ; }
 return (shadertwin_result = (r)) ;
 }
 float early ( precise float x ) { precise bool shadertwin_test; precise float shadertwin_result; if ( (shadertwin_test = (x < 2.0)) ) return (shadertwin_result = (x)) ; else if ( (shadertwin_test = (x < 4.0)) ) { x *= 2.0 ; } else return (shadertwin_result = (- x)) ; for ( precise int i = 0 ; (shadertwin_test = (i < 3)) ; i ++ ) if ( (shadertwin_test = (x > 5.0)) ) return (shadertwin_result = (9.0)) ; return (shadertwin_result = (x)) ; }
 void nothing ( precise int k ) { precise bool shadertwin_test; switch ( k ) { case 1 : { return ; } case 2 : { } default : break ; { ; } } }
 int pick ( precise uint u ) { precise bool shadertwin_test; precise int shadertwin_result; nothing ( int ( u ) ) ; switch ( u ) { case 3u : return (shadertwin_result = (30)) ; default : return (shadertwin_result = (40)) ; } return (shadertwin_result = (0)) ; }
 void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
-color = vec4 ( choose ( int ( p . x ) ) , early ( p . x ) , float ( pick ( uint ( p . y ) ) ) , early ( p . y ) ) ;
+color = vec4 ( choose ( int ( shadertwin_safe_int ( p . x ) ) ) , early ( p . x ) , float ( pick ( uint ( shadertwin_safe_uint ( p . y ) ) ) ) , early ( p . y ) ) ;
 }
 void main ( ) { precise bool shadertwin_test; precise vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

@@ -15,6 +15,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 19;
 
 #line 2 "tests/emit/shaders/switches.glsl"
   Float choose(Bool active, Int k) {
@@ -139,7 +140,7 @@ struct Shader : Invocation {
     return result;
 #line 13 "tests/emit/shaders/switches.glsl"
   }
-#line 143 "twin.cpp"
+#line 144 "twin.cpp"
 
 #line 15 "tests/emit/shaders/switches.glsl"
   Float early(Bool active, Float x) {
@@ -211,7 +212,7 @@ struct Shader : Invocation {
     return result;
 #line 15 "tests/emit/shaders/switches.glsl"
   }
-#line 215 "twin.cpp"
+#line 216 "twin.cpp"
 
 #line 16 "tests/emit/shaders/switches.glsl"
   void nothing(Bool active, Int k) {
@@ -247,7 +248,7 @@ struct Shader : Invocation {
     if (none__(active)) return;
 #line 16 "tests/emit/shaders/switches.glsl"
   }
-#line 251 "twin.cpp"
+#line 252 "twin.cpp"
 
 #line 17 "tests/emit/shaders/switches.glsl"
   Int pick(Bool active, Uint u) {
@@ -289,14 +290,14 @@ struct Shader : Invocation {
     return result;
 #line 17 "tests/emit/shaders/switches.glsl"
   }
-#line 293 "twin.cpp"
+#line 294 "twin.cpp"
 
 #line 18 "tests/emit/shaders/switches.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
     set__(active, color, vec4(choose(active, make<Int>(p.x)), early(active, p.x), make<Float>(pick(active, make<Uint>(p.y))), early(active, p.y)));
 #line 19 "tests/emit/shaders/switches.glsl"
   }
-#line 300 "twin.cpp"
+#line 301 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -15,6 +15,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 19;
 
 #line 2 "tests/emit/shaders/switches.glsl"
   Float choose(int k) {
@@ -133,7 +134,7 @@ struct Shader : Invocation {
     return r;
 #line 13 "tests/emit/shaders/switches.glsl"
   }
-#line 137 "twin.cpp"
+#line 138 "twin.cpp"
 
 #line 15 "tests/emit/shaders/switches.glsl"
   Float early(Float x) {
@@ -169,7 +170,7 @@ struct Shader : Invocation {
     return x;
 #line 15 "tests/emit/shaders/switches.glsl"
   }
-#line 173 "twin.cpp"
+#line 174 "twin.cpp"
 
 #line 16 "tests/emit/shaders/switches.glsl"
   void nothing(int k) {
@@ -203,7 +204,7 @@ struct Shader : Invocation {
     }
 #line 16 "tests/emit/shaders/switches.glsl"
   }
-#line 207 "twin.cpp"
+#line 208 "twin.cpp"
 
 #line 17 "tests/emit/shaders/switches.glsl"
   int pick(uint u) {
@@ -235,14 +236,14 @@ struct Shader : Invocation {
     return {};
 #line 17 "tests/emit/shaders/switches.glsl"
   }
-#line 239 "twin.cpp"
+#line 240 "twin.cpp"
 
 #line 18 "tests/emit/shaders/switches.glsl"
   void mainImage(vec4& color, vec2 p) {
     color = vec4(choose(make<int>(p.x)), early(p.x), Float(pick(make<uint>(p.y))), early(p.y));
 #line 19 "tests/emit/shaders/switches.glsl"
   }
-#line 246 "twin.cpp"
+#line 247 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

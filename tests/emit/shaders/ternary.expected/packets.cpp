@@ -17,6 +17,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 25;
 
 #line 3 "tests/emit/shaders/ternary.glsl"
   Bool tick(Bool active, Bool b) {
@@ -26,7 +27,7 @@ struct Shader : Invocation {
     return b;
 #line 3 "tests/emit/shaders/ternary.glsl"
   }
-#line 30 "twin.cpp"
+#line 31 "twin.cpp"
 
 #line 4 "tests/emit/shaders/ternary.glsl"
   Float bump(Bool active, Float& x) {
@@ -36,7 +37,7 @@ struct Shader : Invocation {
     return x;
 #line 4 "tests/emit/shaders/ternary.glsl"
   }
-#line 40 "twin.cpp"
+#line 41 "twin.cpp"
 
 #line 5 "tests/emit/shaders/ternary.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -140,7 +141,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(r + z * 8.0f, w + make<Float>(calls) * 32.0f, s + float(i), v.x + v.y + x - y));
 #line 15 "tests/emit/shaders/ternary.glsl"
   }
-#line 144 "twin.cpp"
+#line 145 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -17,6 +17,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 25;
 
 #line 3 "tests/emit/shaders/ternary.glsl"
   bool tick(bool b) {
@@ -26,7 +27,7 @@ struct Shader : Invocation {
     return b;
 #line 3 "tests/emit/shaders/ternary.glsl"
   }
-#line 30 "twin.cpp"
+#line 31 "twin.cpp"
 
 #line 4 "tests/emit/shaders/ternary.glsl"
   Float bump(Float& x) {
@@ -36,7 +37,7 @@ struct Shader : Invocation {
     return x;
 #line 4 "tests/emit/shaders/ternary.glsl"
   }
-#line 40 "twin.cpp"
+#line 41 "twin.cpp"
 
 #line 5 "tests/emit/shaders/ternary.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -70,7 +71,7 @@ struct Shader : Invocation {
     color = vec4(r + z * 8.0f, w + Float(calls) * 32.0f, s + Float(i), v.x + v.y + x - y);
 #line 15 "tests/emit/shaders/ternary.glsl"
   }
-#line 74 "twin.cpp"
+#line 75 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

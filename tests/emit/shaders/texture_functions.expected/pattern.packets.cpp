@@ -17,6 +17,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 11;
 
 #line 2 "tests/emit/shaders/inputs/pattern.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -27,7 +28,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(make<Float>(h & 255u), make<Float>(h >> 8 & 255u), make<Float>(h >> 16 & 255u), make<Float>(h >> 24)) / 255.0f * 4.0f - 1.0f);
 #line 5 "tests/emit/shaders/inputs/pattern.glsl"
   }
-#line 31 "twin.cpp"
+#line 32 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

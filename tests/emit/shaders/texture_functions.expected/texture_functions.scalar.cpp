@@ -21,6 +21,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = true;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 18;
 
 #line 6 "tests/emit/shaders/texture_functions.glsl"
   vec4 look(sampler2D s, vec2 uv) {
@@ -28,7 +29,7 @@ struct Shader : Invocation {
     return texture(s, uv) + texelFetch(s, make<ivec2>(uv * 3.0f), 0);
 #line 6 "tests/emit/shaders/texture_functions.glsl"
   }
-#line 32 "twin.cpp"
+#line 33 "twin.cpp"
 
 #line 7 "tests/emit/shaders/texture_functions.glsl"
   Float size(sampler2D s, int i) {
@@ -36,7 +37,7 @@ struct Shader : Invocation {
     return Float(at(textureSize(s, 0), i));
 #line 7 "tests/emit/shaders/texture_functions.glsl"
   }
-#line 40 "twin.cpp"
+#line 41 "twin.cpp"
 
 #line 8 "tests/emit/shaders/texture_functions.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -82,7 +83,7 @@ struct Shader : Invocation {
     }
 #line 18 "tests/emit/shaders/texture_functions.glsl"
   }
-#line 86 "twin.cpp"
+#line 87 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

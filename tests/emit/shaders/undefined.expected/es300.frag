@@ -1,5 +1,5 @@
 #version 300 es
-precision highp float; precision highp int; int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
+precision highp float; precision highp int; int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; } int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -90,7 +90,7 @@ return sum ;
 
 void mainImage ( out vec4 c , in vec2 p )
 { c = vec4(0);
-table [shadertwin_at(( int ( p . x ) ), 999)] += 1.0 ;
+table [shadertwin_at(( int ( shadertwin_safe_int(p . x) ) ), 999)] += 1.0 ;
 float sum = 0.0 ;
 for ( int i = 0 ; i < 1000 ; i ++ )
 sum += table [ i ] ;
@@ -109,7 +109,7 @@ mat2 turn = mat2 ( 3.0 ) ;
 take ( thing , list , turn ) ;
 float outs = thing . weight + thing . corners [ 1 ] . x + list [ 1 ] + turn [ 1 ] [ 1 ] ;
 
-int far = int ( p . x ) * 9 - 40 ;
+int far = int ( shadertwin_safe_int(p . x) ) * 9 - 40 ;
 uint unsigned_far = uint ( far ) ;
 float five [ 5 ] = float [ ] ( 1.0 , 2.0 , 3.0 , 4.0 , 5.0 ) ;
 mat3 m = mat3 ( 1.0 , 2.0 , 3.0 , 4.0 , 5.0 , 6.0 , 7.0 , 8.0 , 9.0 ) ;

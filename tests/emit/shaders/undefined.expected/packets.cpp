@@ -35,6 +35,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 1407;
 
 #line 7 "tests/emit/shaders/undefined.glsl"
   void take(Bool active, Thing& thing, array<Float, 3>& list, mat2& turn) {
@@ -51,7 +52,7 @@ struct Shader : Invocation {
     }
 #line 10 "tests/emit/shaders/undefined.glsl"
   }
-#line 55 "twin.cpp"
+#line 56 "twin.cpp"
 
 #line 13 "tests/emit/shaders/undefined.glsl"
   vec3 missing(Bool active, Float x) {
@@ -70,7 +71,7 @@ struct Shader : Invocation {
     return result;
 #line 16 "tests/emit/shaders/undefined.glsl"
   }
-#line 74 "twin.cpp"
+#line 75 "twin.cpp"
 
 #line 19 "tests/emit/shaders/undefined.glsl"
   Thing missing_thing(Bool active, Float x) {
@@ -93,7 +94,7 @@ struct Shader : Invocation {
     return result;
 #line 24 "tests/emit/shaders/undefined.glsl"
   }
-#line 97 "twin.cpp"
+#line 98 "twin.cpp"
 
 #line 28 "tests/emit/shaders/undefined.glsl"
   Float long_list(Bool active, int n) {
@@ -114,7 +115,7 @@ struct Shader : Invocation {
     return sum;
 #line 36 "tests/emit/shaders/undefined.glsl"
   }
-#line 118 "twin.cpp"
+#line 119 "twin.cpp"
 
 #line 40 "tests/emit/shaders/undefined.glsl"
   Int next(Bool active) {
@@ -126,7 +127,7 @@ struct Shader : Invocation {
     return tmp;
 #line 40 "tests/emit/shaders/undefined.glsl"
   }
-#line 130 "twin.cpp"
+#line 131 "twin.cpp"
 
 #line 42 "tests/emit/shaders/undefined.glsl"
   vec3 partly(Bool active, Float x) {
@@ -158,7 +159,7 @@ struct Shader : Invocation {
     return color;
 #line 51 "tests/emit/shaders/undefined.glsl"
   }
-#line 162 "twin.cpp"
+#line 163 "twin.cpp"
 
 #line 54 "tests/emit/shaders/undefined.glsl"
   Float rounds(Bool active, Float x) {
@@ -181,7 +182,7 @@ struct Shader : Invocation {
     return sum;
 #line 63 "tests/emit/shaders/undefined.glsl"
   }
-#line 185 "twin.cpp"
+#line 186 "twin.cpp"
 
 #line 66 "tests/emit/shaders/undefined.glsl"
   void mainImage(Bool active, vec4& c, vec2 p) {
@@ -262,7 +263,7 @@ struct Shader : Invocation {
     set__(active, c, vec4(sum + long_list(active, 3) + long_list(active, 4), outs, indexed, nowhere.y + dot(partly(active, p.x), vec3(1.0f, 10.0f, 100.0f)) + rounds(active, p.y)));
 #line 98 "tests/emit/shaders/undefined.glsl"
   }
-#line 266 "twin.cpp"
+#line 267 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

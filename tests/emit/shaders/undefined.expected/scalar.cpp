@@ -34,6 +34,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 1407;
 
 #line 7 "tests/emit/shaders/undefined.glsl"
   void take(Thing& thing, array<Float, 3>& list, mat2& turn) {
@@ -50,7 +51,7 @@ struct Shader : Invocation {
     }
 #line 10 "tests/emit/shaders/undefined.glsl"
   }
-#line 54 "twin.cpp"
+#line 55 "twin.cpp"
 
 #line 13 "tests/emit/shaders/undefined.glsl"
   vec3 missing(Float x) {
@@ -63,7 +64,7 @@ struct Shader : Invocation {
     return {};
 #line 16 "tests/emit/shaders/undefined.glsl"
   }
-#line 67 "twin.cpp"
+#line 68 "twin.cpp"
 
 #line 19 "tests/emit/shaders/undefined.glsl"
   Thing missing_thing(Float x) {
@@ -80,7 +81,7 @@ struct Shader : Invocation {
     return {};
 #line 24 "tests/emit/shaders/undefined.glsl"
   }
-#line 84 "twin.cpp"
+#line 85 "twin.cpp"
 
 #line 28 "tests/emit/shaders/undefined.glsl"
   Float long_list(int n) {
@@ -101,7 +102,7 @@ struct Shader : Invocation {
     return sum;
 #line 36 "tests/emit/shaders/undefined.glsl"
   }
-#line 105 "twin.cpp"
+#line 106 "twin.cpp"
 
 #line 40 "tests/emit/shaders/undefined.glsl"
   int next() {
@@ -109,7 +110,7 @@ struct Shader : Invocation {
     return calls++;
 #line 40 "tests/emit/shaders/undefined.glsl"
   }
-#line 113 "twin.cpp"
+#line 114 "twin.cpp"
 
 #line 42 "tests/emit/shaders/undefined.glsl"
   vec3 partly(Float x) {
@@ -133,7 +134,7 @@ struct Shader : Invocation {
     return color;
 #line 51 "tests/emit/shaders/undefined.glsl"
   }
-#line 137 "twin.cpp"
+#line 138 "twin.cpp"
 
 #line 54 "tests/emit/shaders/undefined.glsl"
   Float rounds(Float x) {
@@ -156,7 +157,7 @@ struct Shader : Invocation {
     return sum;
 #line 63 "tests/emit/shaders/undefined.glsl"
   }
-#line 160 "twin.cpp"
+#line 161 "twin.cpp"
 
 #line 66 "tests/emit/shaders/undefined.glsl"
   void mainImage(vec4& c, vec2 p) {
@@ -209,7 +210,7 @@ struct Shader : Invocation {
     c = vec4(sum + long_list(3) + long_list(4), outs, indexed, nowhere.y + dot(partly(p.x), vec3(1.0f, 10.0f, 100.0f)) + rounds(p.y));
 #line 98 "tests/emit/shaders/undefined.glsl"
   }
-#line 213 "twin.cpp"
+#line 214 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

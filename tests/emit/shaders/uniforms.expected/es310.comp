@@ -1,5 +1,5 @@
 #version 310 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; } int shadertwin_safe_modulo(int a, int b) { int d = b == 0 || b == -1 ? 1 : b, r = a - a / d * d; return b == 0 ? -1 : r; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(local_size_x = 8, local_size_y = 8) in; layout(rgba32f, binding = 7) writeonly uniform highp image2D shadertwin_target; uniform ivec2 shadertwin_origin; vec4 shadertwin_frag_coord; vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -27,7 +27,7 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 void mainImage ( out vec4 color , in vec2 p ) { color = vec4(0);
-int k = int ( p . x ) % 4 ;
+int k = shadertwin_safe_modulo(int ( shadertwin_safe_int(p . x) ) , 4) ;
 color = vec4 ( iResolution . x , iResolution . y , iResolution . z , iTime ) ;
 if ( k == 1 ) color = vec4 ( iTimeDelta , float ( iFrame ) , iFrameRate , iSampleRate ) ;
 if ( k == 2 ) color = iDate + iMouse ;

@@ -1,5 +1,5 @@
 #version 320 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; int shadertwin_safe_int ( precise float x ) { precise bool shadertwin_test; precise int shadertwin_result; precise int r = int ( x ) ; return (shadertwin_result = (x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r)) ; } int shadertwin_safe_modulo ( precise int a , precise int b ) { precise bool shadertwin_test; precise int shadertwin_result; precise int d = b == 0 || b == - 1 ? 1 : b , r = a - a / d * d ; return (shadertwin_result = (b == 0 ? - 1 : r)) ; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -27,7 +27,7 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
-precise int k = int ( p . x ) % 4 ;
+precise int k = shadertwin_safe_modulo ( int ( shadertwin_safe_int ( p . x ) ) , 4 ) ;
 color = vec4 ( iResolution . x , iResolution . y , iResolution . z , iTime ) ;
 if ( (shadertwin_test = (k == 1)) ) color = vec4 ( iTimeDelta , float ( iFrame ) , iFrameRate , iSampleRate ) ;
 if ( (shadertwin_test = (k == 2)) ) color = iDate + iMouse ;

@@ -35,6 +35,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 11;
 
 #line 2 "tests/emit/shaders/uniforms.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -59,7 +60,7 @@ struct Shader : Invocation {
     }
 #line 7 "tests/emit/shaders/uniforms.glsl"
   }
-#line 63 "twin.cpp"
+#line 64 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

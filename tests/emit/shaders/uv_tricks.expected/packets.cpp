@@ -17,6 +17,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 26;
 
 #line 4 "tests/emit/shaders/uv_tricks.glsl"
   uniform::mat2 r(Bool active, float a) {
@@ -24,7 +25,7 @@ struct Shader : Invocation {
     return uniform::mat2(0.8f, -0.6f, 0.6f, 0.8f) * a;
 #line 4 "tests/emit/shaders/uv_tricks.glsl"
   }
-#line 28 "twin.cpp"
+#line 29 "twin.cpp"
 
 #line 5 "tests/emit/shaders/uv_tricks.glsl"
   void mainImage(Bool active, vec4& O, vec2 U) {
@@ -82,7 +83,7 @@ struct Shader : Invocation {
     set__(active, O, select__(O.x > 3.0f, O.yxzw(), O));
 #line 13 "tests/emit/shaders/uv_tricks.glsl"
   }
-#line 86 "twin.cpp"
+#line 87 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

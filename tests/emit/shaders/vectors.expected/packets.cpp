@@ -15,6 +15,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 37;
 
 #line 2 "tests/emit/shaders/vectors.glsl"
   void mainImage(Bool active, vec4& color, vec2 p) {
@@ -80,7 +81,7 @@ struct Shader : Invocation {
     }
 #line 20 "tests/emit/shaders/vectors.glsl"
   }
-#line 84 "twin.cpp"
+#line 85 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

@@ -15,6 +15,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 37;
 
 #line 2 "tests/emit/shaders/vectors.glsl"
   void mainImage(vec4& color, vec2 p) {
@@ -66,7 +67,7 @@ struct Shader : Invocation {
     }
 #line 20 "tests/emit/shaders/vectors.glsl"
   }
-#line 70 "twin.cpp"
+#line 71 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -22,6 +22,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = true;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 112;
 
   bool isKeyDown(int key) {
     return texture(iKeyboard, vec2(Float(key) / 255.0f, 0.125f)).x > 0.0f;
@@ -45,7 +46,7 @@ struct Shader : Invocation {
     c = vec4(isKeyDown(Key_A) ? speed : 0.0f, Float(isKeyToggled(Key_Enter)), 0.0f, 1.0f);
 #line 4 "tests/text/shaders/keyboard.glsl"
   }
-#line 49 "twin.cpp"
+#line 50 "twin.cpp"
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);

@@ -22,6 +22,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = true;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 0;
 
 #line 4 "tests/text/shaders/legacy_names.glsl"
   Float level() {
@@ -29,7 +30,7 @@ struct Shader : Invocation {
     return texture(iChannel0, gl_FragCoord.xy() / iResolution.xy()).x + iTime;
 #line 4 "tests/text/shaders/legacy_names.glsl"
   }
-#line 33 "twin.cpp"
+#line 34 "twin.cpp"
 
 #line 5 "tests/text/shaders/legacy_names.glsl"
   void main() {
@@ -37,7 +38,7 @@ struct Shader : Invocation {
     shadertoy_out_color = vec4(clamp(level(), 0.0f, 1.0f));
 #line 5 "tests/text/shaders/legacy_names.glsl"
   }
-#line 41 "twin.cpp"
+#line 42 "twin.cpp"
 
 };
 

@@ -15,6 +15,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 10;
 
 #line 3 "tests/text/shaders/macro_entry.glsl"
   void mainImage(Bool active, vec4& o, vec2 u) {
@@ -22,7 +23,7 @@ struct Shader : Invocation {
     set__(active, o, vec4(u, 0.0f, 1.0f));
 #line 3 "tests/text/shaders/macro_entry.glsl"
   }
-#line 26 "twin.cpp"
+#line 27 "twin.cpp"
 
   void main(Bool active) {
     vec4 shadertoy_color = vec4(0.0f);

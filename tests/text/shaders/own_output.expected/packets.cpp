@@ -17,6 +17,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 0;
 
 #line 3 "tests/text/shaders/own_output.glsl"
   void main(Bool active) {
@@ -24,7 +25,7 @@ struct Shader : Invocation {
     set__(active, color, vec4(gl_FragCoord.xy() / vec2(iResolution.xy()), 0.0f, 1.0f));
 #line 3 "tests/text/shaders/own_output.glsl"
   }
-#line 28 "twin.cpp"
+#line 29 "twin.cpp"
 
 };
 

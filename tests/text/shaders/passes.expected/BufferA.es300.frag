@@ -1,5 +1,5 @@
 #version 300 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; } ivec2 shadertwin_safe_int(vec2 a) { return ivec2(shadertwin_safe_int(a.x), shadertwin_safe_int(a.y)); }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -24,5 +24,5 @@ float wave ( float t , float hertz ) { return sin ( 6.2831853 * hertz * t ) ; }
 
 
 void mainImage ( out vec4 c , in vec2 p ) { c = vec4(0);
-c = texelFetch ( iChannel0 , ivec2 ( p ) , 0 ) + texture ( iChannel1 , vec3 ( p , 1.0 ) ) * wave ( iTime , 1.0 ) ;
+c = texelFetch ( iChannel0 , ivec2 ( shadertwin_safe_int(p) ) , 0 ) + texture ( iChannel1 , vec3 ( p , 1.0 ) ) * wave ( iTime , 1.0 ) ;
 }

@@ -1,5 +1,5 @@
 #version 320 es
-precision highp float; precision highp int;
+precision highp float; precision highp int; int shadertwin_safe_int ( precise float x ) { precise bool shadertwin_test; precise int shadertwin_result; precise int r = int ( x ) ; return (shadertwin_result = (x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r)) ; } ivec2 shadertwin_safe_int ( precise vec2 a ) { precise bool shadertwin_test; precise ivec2 shadertwin_result; return (shadertwin_result = (ivec2 ( shadertwin_safe_int ( a . x ) , shadertwin_safe_int ( a . y ) ))) ; }
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
@@ -24,5 +24,5 @@ float wave ( precise float t , precise float hertz ) { precise bool shadertwin_t
 
 
 void mainImage ( precise out vec4 c , precise in vec2 p ) { precise bool shadertwin_test; c = vec4 ( 0 ) ;
-c = texelFetch ( iChannel0 , ivec2 ( p ) , 0 ) + texture ( iChannel1 , vec3 ( p , 1.0 ) ) * wave ( iTime , 1.0 ) ;
+c = texelFetch ( iChannel0 , ivec2 ( shadertwin_safe_int ( p ) ) , 0 ) + texture ( iChannel1 , vec3 ( p , 1.0 ) ) * wave ( iTime , 1.0 ) ;
 }

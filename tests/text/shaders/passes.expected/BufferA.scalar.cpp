@@ -21,6 +21,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = true;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 12;
 
   void main() {
     vec4 shadertoy_color = vec4(0.0f);
@@ -34,14 +35,14 @@ struct Shader : Invocation {
     return sin(6.2831855f * hertz * t);
 #line 3 "tests/text/shaders/passes/common.glsl"
   }
-#line 38 "twin.cpp"
+#line 39 "twin.cpp"
 
 #line 3 "tests/text/shaders/passes/buffer_a.glsl"
   void mainImage(vec4& c, vec2 p) {
     c = texelFetch(iChannel0, make<ivec2>(p), 0) + texture(iChannel1, vec3(p, 1.0f)) * wave(iTime, 1.0f);
 #line 4 "tests/text/shaders/passes/buffer_a.glsl"
   }
-#line 45 "twin.cpp"
+#line 46 "twin.cpp"
 
 };
 

@@ -19,6 +19,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 23;
 
   void main(Bool active) {
     vec2 st = 2.0f * gl_FragCoord.xy() / vec2(iResolution.xy()) - 1.0f;
@@ -34,7 +35,7 @@ struct Shader : Invocation {
     return sin(6.2831855f * hertz * t);
 #line 3 "tests/text/shaders/passes/common.glsl"
   }
-#line 38 "twin.cpp"
+#line 39 "twin.cpp"
 
 #line 1 "tests/text/shaders/passes/cubemap_a.glsl"
   void mainCubemap(Bool active, vec4& c, vec2 p, uniform::vec3 origin, vec3 direction) {
@@ -42,7 +43,7 @@ struct Shader : Invocation {
     set__(active, c, vec4(direction, wave(active, p.x, 1.0f)));
 #line 1 "tests/text/shaders/passes/cubemap_a.glsl"
   }
-#line 46 "twin.cpp"
+#line 47 "twin.cpp"
 
 };
 

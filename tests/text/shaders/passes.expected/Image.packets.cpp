@@ -23,6 +23,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = true;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 31;
 
   void st_assert(Bool active, Bool condition, int kind) {
     if (Bool active_2 = active && !condition; any__(active_2)) {
@@ -49,7 +50,7 @@ struct Shader : Invocation {
     return sin(6.2831855f * hertz * t);
 #line 3 "tests/text/shaders/passes/common.glsl"
   }
-#line 53 "twin.cpp"
+#line 54 "twin.cpp"
 
 #line 2 "tests/text/shaders/passes/image.glsl"
   void mainImage(Bool active, vec4& c, vec2 p) {
@@ -69,7 +70,7 @@ struct Shader : Invocation {
     set__(active, c, vec4(levels[0], levels[1], iChannelResolution[0].xy()));
 #line 6 "tests/text/shaders/passes/image.glsl"
   }
-#line 73 "twin.cpp"
+#line 74 "twin.cpp"
 
 #line 8 "tests/text/shaders/passes/image.glsl"
   void mainVR(Bool active, vec4& c, uniform::vec2 p, uniform::vec3 origin, uniform::vec3 direction) {
@@ -77,7 +78,7 @@ struct Shader : Invocation {
     set__(active, c, vec4(uniform::vec4(direction, 1.0f)));
 #line 8 "tests/text/shaders/passes/image.glsl"
   }
-#line 81 "twin.cpp"
+#line 82 "twin.cpp"
 
 };
 

@@ -23,6 +23,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = true;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 31;
 
   void st_assert(bool condition, int kind) {
     if (!condition) {
@@ -49,7 +50,7 @@ struct Shader : Invocation {
     return sin(6.2831855f * hertz * t);
 #line 3 "tests/text/shaders/passes/common.glsl"
   }
-#line 53 "twin.cpp"
+#line 54 "twin.cpp"
 
 #line 2 "tests/text/shaders/passes/image.glsl"
   void mainImage(vec4& c, vec2 p) {
@@ -63,7 +64,7 @@ struct Shader : Invocation {
     c = vec4(levels[0], levels[1], iChannelResolution[0].xy());
 #line 6 "tests/text/shaders/passes/image.glsl"
   }
-#line 67 "twin.cpp"
+#line 68 "twin.cpp"
 
 #line 8 "tests/text/shaders/passes/image.glsl"
   void mainVR(vec4& c, vec2 p, vec3 origin, vec3 direction) {
@@ -71,7 +72,7 @@ struct Shader : Invocation {
     c = vec4(direction, 1.0f);
 #line 8 "tests/text/shaders/passes/image.glsl"
   }
-#line 75 "twin.cpp"
+#line 76 "twin.cpp"
 
 };
 

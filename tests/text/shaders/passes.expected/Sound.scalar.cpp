@@ -21,6 +21,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = false;
   static constexpr bool uses_stop__ = false;
+  static constexpr std::size_t components__ = 6;
 
   void main() {
     int shadertwin_sample = make<int>(gl_FragCoord.x) + 512 * make<int>(gl_FragCoord.y);
@@ -34,7 +35,7 @@ struct Shader : Invocation {
     return sin(6.2831855f * hertz * t);
 #line 3 "tests/text/shaders/passes/common.glsl"
   }
-#line 38 "twin.cpp"
+#line 39 "twin.cpp"
 
 #line 1 "tests/text/shaders/passes/sound.glsl"
   vec2 mainSound(int samp, Float time) {
@@ -42,7 +43,7 @@ struct Shader : Invocation {
     return vec2(wave(time, 440.0f), wave(time, 441.0f));
 #line 1 "tests/text/shaders/passes/sound.glsl"
   }
-#line 46 "twin.cpp"
+#line 47 "twin.cpp"
 
 };
 
