@@ -13,8 +13,8 @@ Project load_project(const std::filesystem::path& shader, const LoadOptions& opt
   for (std::size_t i = 0; i < project.passes.size(); ++i) {
     Pass& pass = project.passes[i];
     resolve_macros(project, pass.source, Stage::fragment);
-    adopt_other_uniforms(project, i, pass);
     canonicalise_body(pass.source);
+    adopt_other_uniforms(project, i, pass);
     if (pass.vertex.has_value()) {
       resolve_macros(project, *pass.vertex, Stage::vertex);
       canonicalise_body(*pass.vertex);

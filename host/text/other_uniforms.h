@@ -5,9 +5,9 @@
 
 namespace shadertwin {
 
-// The stage between resolve_macros and canonicalise. A pass that has only main() says what it was written for
-// by the uniforms that it declares: those of known hosts become variables that main() sets first, from the
-// uniforms that every player here has, in their host's units:
+// The stage between canonicalise and write_host_text. A pass that has only main() says what it was written
+// for by the uniforms that it declares: those of known hosts become variables that main() sets first, from
+// the uniforms that every player here has, in their host's units:
 //
 //   time, resolution, surfaceSize         GLSL Sandbox, twigl, VEDA: seconds, pixels, units of the picture's
 //                                         height

@@ -3,8 +3,8 @@
 //
 //   read_project      files, includes, directives      host/project/project.h
 //   resolve_macros    directives and macros            host/text/resolve_macros.h
-//   adopt_other_...   uniforms of other hosts          host/text/other_uniforms.h
 //   canonicalise      WebGL's text as all take it      host/text/canonicalise.h
+//   adopt_other_...   uniforms of other hosts          host/text/other_uniforms.h
 //   write_host_text   uniforms and main()              host/text/host_text.h
 //   define_undefined  zero where GLSL gives anything   host/text/define_undefined.h
 //   work_around       for a driver with faults         host/text/work_around.h

@@ -57,6 +57,19 @@ std::string log_by_line(const std::string& log, const std::vector<PlainToken>& t
   throw Error(ExitStatus::shader, text.empty() ? "error: the shader does not compile" : text);
 }
 
+// Walking a tree takes a little memory from the thread's pool. A parse puts the pool of its own tree there,
+// which ends with that tree, while others may still be walked; so this puts back one that outlives them all.
+class LastingPool {
+ public:
+  LastingPool() = default;
+  ~LastingPool() {
+    thread_local glslang::TPoolAllocator pool;
+    glslang::SetThreadPoolAllocator(&pool);
+  }
+  LastingPool(const LastingPool&) = delete;
+  LastingPool& operator=(const LastingPool&) = delete;
+};
+
 }  // namespace
 
 SyntaxTree::SyntaxTree(const Project& project, const PassSource& source, Folding folding, Errors errors)
@@ -70,6 +83,7 @@ SyntaxTree::SyntaxTree(const Project& project, const PassSource& source, Folding
   const char* strings = lines.c_str();
   shader_ = std::make_unique<glslang::TShader>(EShLangFragment);
   shader_->setStrings(&strings, 1);
+  const LastingPool pool;
   const ConstantFolding guard(folding);
   if (!shader_->parse(GetDefaultResources(), version, EEsProfile, false, false, messages_for(errors)))
     refuse(project, source, log_by_line(shader_->getInfoLog(), tokens_, line_count(render(source))));
