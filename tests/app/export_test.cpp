@@ -100,7 +100,7 @@ int main() {
   const float speed = 0.25F;
   const UniformValue uniforms[] = {{"iResolution", UniformValue::Kind::float32, resolution, 3},
                                    {"speed", UniformValue::Kind::float32, &speed, 1}};
-  const std::atomic<bool> stop = false;
+  const bool stop = false;
   float pixel[4] = {};
   Request request;
   request.uniforms = uniforms;

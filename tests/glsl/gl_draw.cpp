@@ -4,6 +4,7 @@
 
 #include "host/text/define_undefined.h"
 #include "host/text/render.h"
+#include "host/text/resolve_macros.h"
 
 namespace shadertwin::glsl {
 
@@ -17,7 +18,9 @@ std::string fragment_shader(const std::string& shader) {
   PassSource source;
   source.body = shader;
   source.tail = "void main() { mainImage(shadertoy_out_color, gl_FragCoord.xy); }\n";
-  return render(define_undefined({}, source).value());
+  Project project;
+  resolve_macros(project, source, Stage::fragment);
+  return render(define_undefined(project, source).value());
 }
 
 void attach(const gl::Functions& gl, GLuint program, GLenum kind, const std::string& source) {
