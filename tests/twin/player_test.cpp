@@ -68,6 +68,20 @@ TEST_F(Player, ReadsZeroFromABufferThatIsNotThere) {
   EXPECT_EQ(image.at(0, 0)[1], 1.0F);
 }
 
+// They don't fit a thread's stack. llvmpipe compiles this for minutes.
+TEST_F(Player, LargeVariablesHaveRoom) {
+  const Project shader = load_project(fs::path(SHADERTWIN_SOURCE_DIR) / "tests/twin/large_variables.glsl");
+  twin::TwinOptions one_by_one;
+  one_by_one.packets = false;
+  twin::TwinOptions in_doubles;
+  in_doubles.double_precision = true;
+  for (const twin::TwinOptions& options : {twin::TwinOptions(), one_by_one, in_doubles}) {
+    const Image image = played(shader, options);
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) EXPECT_EQ(image.at(x, y)[1], 1.0F) << x << ", " << y;
+  }
+}
+
 TEST_F(Player, DrawsOnlyTheRegion) {
   twin::TwinOptions options;
   options.region = twin::Rectangle{2, 1, 3, 2};
