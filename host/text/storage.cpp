@@ -104,7 +104,7 @@ Storage measure_allowed_storage(const SyntaxTree& tree) {
     throw Error(ExitStatus::shader, tree.place_of_token(variable.token) + ": error: '" + variable.name +
                                         "' has 64 KB or more, which browsers refuse");
   }
-  if (storage.variables > most_components_together)
+  if (storage.is_too_large_together())
     throw Error(ExitStatus::shader,
                 "error: the variables of the shader have more than 16 MB together, which browsers refuse");
   return storage;

@@ -24,6 +24,8 @@ struct Storage {
   std::int64_t variables = 0;        // components of all variables that are used
   std::int64_t temporaries = 0;      // of the arrays and structures that calls and constructors give
   std::vector<LargeVariable> large;  // variables of more than most_components
+
+  bool is_too_large_together() const { return variables > most_components_together; }
 };
 
 // Numbers beyond 2^40 stand for anything larger.

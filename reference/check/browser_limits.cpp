@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "host/text/storage.h"
 #include "reference/check/parsed_pass.h"
 #include "reference/check/rules.h"
 
@@ -73,8 +72,11 @@ class Limits {
   }
 
   void large_variables() {
-    for (const LargeVariable& variable : measure_storage(tree_).large)
+    for (const LargeVariable& variable : parsed_.storage.large)
       add(variable.token, "'" + variable.name + "' has 64 KB or more: browsers refuse it");
+    if (parsed_.storage.is_too_large_together())
+      findings_.push_back(make_finding(parsed_.project, parsed_.pass, {}, "webgl2",
+                                       "the variables have more than 16 MB together: browsers refuse it"));
   }
 
   // Neither host has a vertex shader with outputs.

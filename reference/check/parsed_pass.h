@@ -1,6 +1,7 @@
 // A pass that compiles, parsed once for all rules that look at its tree.
 #pragma once
 
+#include "host/text/storage.h"
 #include "reference/emit/program.h"
 
 namespace shadertwin::check {
@@ -14,6 +15,7 @@ struct ParsedPass {
   const Pass& pass;
   SyntaxTree tree;
   emit::Program program;
+  Storage storage;
 };
 
 }  // namespace shadertwin::check

@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "host/base/error.h"
-#include "host/text/storage.h"
 #include "reference/check/parsed_pass.h"
 
 namespace shadertwin::check {
@@ -47,7 +46,8 @@ ParsedPass::ParsedPass(const Project& its_project, const Pass& its_pass)
     : project(its_project),
       pass(its_pass),
       tree(project, pass.source, Folding::float32, Errors::all),
-      program(tree) {}
+      program(tree),
+      storage(measure_storage(tree)) {}
 
 std::vector<Finding> compile_errors(const Project& project, const Pass& pass) {
   try {
@@ -80,8 +80,7 @@ Reading read_rules(const Project& project) {
   append(macro_rules(project));
   if (reading.can_run) {
     for (const ParsedPass& parsed : passes) {
-      const Storage storage = measure_storage(parsed.tree);
-      reading.can_run &= storage.large.empty() && storage.variables <= most_components_together;
+      reading.can_run &= parsed.storage.large.empty() && !parsed.storage.is_too_large_together();
       append(browser_limits(parsed));
       append(unwritten_outputs(parsed));
       append(evaluation_order(parsed));

@@ -153,6 +153,19 @@ TEST_F(CheckCommand, LeavesOrdersThatAreTheTextsAlone) {
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 
+TEST_F(CheckCommand, FindsVariablesThatAreTooLargeTogether) {
+  std::string text;
+  for (int i = 0; i < 300; ++i) text += "float a" + std::to_string(i) + "[16000];\n";
+  text += "void mainImage(out vec4 c, in vec2 p) {\n  c = vec4(0);\n";
+  for (int i = 0; i < 300; ++i) text += "  c.x += a" + std::to_string(i) + "[int(p.x)];\n";
+  folder.write("m.glsl", text + "}\n");
+  const Outcome outcome = run(folder, "check m.glsl --size 8x4 --frames 1");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.out.find("webgl2: the variables have more than 16 MB together: browsers refuse it"),
+            std::string::npos)
+      << outcome.out << outcome.err;
+}
+
 TEST_F(CheckCommand, FindsUniformsOfOtherHosts) {
   folder.write(
       "m.frag",
