@@ -7,7 +7,6 @@
 #include "host/app/options.h"
 #include "host/app/report.h"
 #include "host/base/error.h"
-#include "host/text/load.h"
 #include "reference/check/finding.h"
 #include "reference/check/rules.h"
 #include "reference/check/run.h"
@@ -48,17 +47,8 @@ nlohmann::json to_json(const std::vector<Finding>& findings) {
   return list;
 }
 
-// What the text is warned of elsewhere is told as findings here.
-Project load_to_check(const PlayOptions& options) {
-  Project project = load_project(options.shader, make_load_options(options));
-  refuse_for_project(options, project);
-  if (!options.quiet)
-    for (const std::string& warning : project.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
-  return project;
-}
-
 void run_check(const PlayOptions& options) {
-  const Project project = load_to_check(options);
+  const Project project = load(options, Warnings::of_loading);
   const std::vector<Finding> findings = find(project, options);
   for (const Finding& finding : findings) std::printf("%s\n", check::to_line(finding).c_str());
   if (!options.json.empty())

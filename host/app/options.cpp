@@ -153,11 +153,12 @@ LoadOptions make_load_options(const PlayOptions& o) {
   return load_options;
 }
 
-Project load(const PlayOptions& o) {
+Project load(const PlayOptions& o, Warnings warnings) {
   Project project = load_project(o.shader, make_load_options(o));
   refuse_for_project(o, project);
   if (!o.quiet)
-    for (const std::string& warning : all_warnings(project)) std::fprintf(stderr, "%s\n", warning.c_str());
+    for (const std::string& warning : warnings == Warnings::all ? all_warnings(project) : project.warnings)
+      std::fprintf(stderr, "%s\n", warning.c_str());
   return project;
 }
 

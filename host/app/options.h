@@ -61,7 +61,10 @@ LoadOptions make_load_options(const PlayOptions& options);
 // Index of the pass that --pass names, or of the last one. Throws Error(usage) if there is none of that name.
 int chosen_pass(const Project& project, const PlayOptions& options);
 
+// Of loading the files, or also of what stands in them, which `check` tells as findings.
+enum class Warnings { of_loading, all };
+
 // Loads the project and prints its warnings unless --quiet.
-Project load(const PlayOptions& options);
+Project load(const PlayOptions& options, Warnings warnings = Warnings::all);
 
 }  // namespace shadertwin::app
