@@ -190,12 +190,7 @@ class Operations : public glslang::TIntermTraverser {
   };
   using Types = std::vector<std::string>;
 
-  const std::string& text(int token) const {
-    static const std::string none;
-    return token >= 0 && token < static_cast<int>(tokens_.size())
-               ? tokens_[static_cast<std::size_t>(token)].text
-               : none;
-  }
+  const std::string& text(int token) const { return text_at(tokens_, token); }
 
   static Types types_of(const std::vector<const TIntermTyped*>& nodes) {
     Types types;

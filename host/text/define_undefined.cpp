@@ -9,6 +9,7 @@
 #include "host/base/error.h"
 #include "host/text/define_operations.h"
 #include "host/text/loop_range.h"
+#include "host/text/operands.h"
 #include "host/text/render.h"
 #include "host/text/resolve_macros.h"
 #include "host/text/rewritten_lines.h"
@@ -86,7 +87,7 @@ class DefinedText {
 
   void clamp_indices(const Choices& choices) {
     for (const auto& [open, count] : choices) {
-      const int close = closing(open);
+      const int close = closing_bracket(tokens_, open);
       const bool single = close == open + 2;
       if (single && stays_below(tokens_, declarations_, values_, open + 1, count)) continue;
       edits_.after[open] += std::string(clamp_name) + (single ? "(" : "((");
@@ -97,19 +98,7 @@ class DefinedText {
   RewrittenLines& edits() { return edits_; }
 
  private:
-  const std::string& text(int token) const {
-    static const std::string none;
-    return token >= 0 && token < static_cast<int>(tokens_.size()) ? tokens_[token].text : none;
-  }
-
-  int closing(int open) const {
-    int depth = 0;
-    for (int i = open; i < static_cast<int>(tokens_.size()); ++i) {
-      if (text(i) == "[") ++depth;
-      if (text(i) == "]" && --depth == 0) return i;
-    }
-    return open;
-  }
+  const std::string& text(int token) const { return text_at(tokens_, token); }
 
   bool returns(const FunctionBody& function) const {
     for (int i = function.open; i < function.close; ++i) {

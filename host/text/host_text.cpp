@@ -161,7 +161,7 @@ void write_host_text(const Project& project, Pass& pass, bool vr) {
   const std::optional<MainText> main = choose_main(project, pass, entry, vr, asserts);
 
   Head head(tokens);
-  add_uniforms(head, host_rules(project), project, pass);
+  add_uniforms(head, rules, project, pass);
   pass.source.own_output = entry.output_line > 0;
   if (main && pass.source.own_output) {
     throw_if_refused(pass.source);

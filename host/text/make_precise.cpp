@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "host/text/operands.h"
 #include "host/text/rewritten_lines.h"
 #include "host/text/syntax_tree.h"
 
@@ -28,10 +29,7 @@ class PreciseText {
 
  private:
   int size() const { return static_cast<int>(tokens_.size()); }
-  const std::string& text(int token) const {
-    static const std::string none;
-    return token >= 0 && token < size() ? tokens_[token].text : none;
-  }
+  const std::string& text(int token) const { return text_at(tokens_, token); }
 
   // `precise` stands in front of all that belongs to the declaration of token `name`.
   void mark_declaration(int name) {
@@ -45,7 +43,7 @@ class PreciseText {
                          previous == ":" || previous == "else" || previous == "do" || previous[0] == '#'))
         break;
       // The header of a loop or a condition ends in front of the statement; layout(...) does not.
-      if (previous == ")" && depth == 1 && text(opening(start - 1) - 1) != "layout") break;
+      if (previous == ")" && depth == 1 && text(opening_bracket(tokens_, start - 1) - 1) != "layout") break;
       --start;
     }
     static const std::set<std::string> not_computed = {"const",     "uniform",   "in",
@@ -57,24 +55,6 @@ class PreciseText {
       if (text(i) == "struct" || (not_computed.count(text(i)) != 0 && !(is_parameter && reads_only))) return;
     }
     before_[start] = "precise " + before_[start];
-  }
-
-  int opening(int closing) const {
-    int depth = 0;
-    for (int i = closing; i >= 0; --i) {
-      if (text(i) == ")") ++depth;
-      if (text(i) == "(" && --depth == 0) return i;
-    }
-    return 0;
-  }
-
-  int closing(int opening) const {
-    int depth = 0;
-    for (int i = opening; i < size(); ++i) {
-      if (text(i) == "(") ++depth;
-      if (text(i) == ")" && --depth == 0) return i;
-    }
-    return size() - 1;
   }
 
   int end_of_statement(int token) const {
@@ -110,7 +90,7 @@ class PreciseText {
       if (token == "}") --depth;
       if (depth == 0 && (token == ";" || token == "}" || token[0] == '#')) start = skip_qualifiers(i + 1);
       if (depth == 0) continue;
-      if (token == "if" || token == "while") assign(test_name, i + 2, closing(i + 1));
+      if (token == "if" || token == "while") assign(test_name, i + 2, closing_bracket(tokens_, i + 1));
       if (token == "for") {
         const int condition = end_of_statement(i) + 1;
         assign(test_name, condition, end_of_statement(condition));

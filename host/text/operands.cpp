@@ -12,11 +12,6 @@ bool is_one_of(const std::string& text, const std::array<std::string_view, N>& l
   return std::find(list.begin(), list.end(), text) != list.end();
 }
 
-const std::string& text_at(const std::vector<PlainToken>& tokens, int i) {
-  static const std::string none;
-  return i >= 0 && i < static_cast<int>(tokens.size()) ? tokens[static_cast<std::size_t>(i)].text : none;
-}
-
 bool is_opening(const std::string& text) {
   return text == "(" || text == "[" || text == "{";
 }

@@ -11,6 +11,11 @@ bool is_identifier(const std::string& token) {
   return !token.empty() && (std::isalpha(static_cast<unsigned char>(token[0])) != 0 || token[0] == '_');
 }
 
+const std::string& text_at(const std::vector<PlainToken>& tokens, int i) {
+  static const std::string none;
+  return i >= 0 && i < static_cast<int>(tokens.size()) ? tokens[static_cast<std::size_t>(i)].text : none;
+}
+
 std::vector<PlainToken> split_tokens(std::string_view plain) {
   std::vector<PlainToken> tokens;
   std::size_t past_end = 0;  // of the last directive

@@ -21,4 +21,7 @@ std::string one_token_a_line(const std::vector<PlainToken>& tokens);
 
 bool is_identifier(const std::string& token);
 
+// The text of token `i`; empty if there is no such token.
+const std::string& text_at(const std::vector<PlainToken>& tokens, int i);
+
 }  // namespace shadertwin

@@ -64,6 +64,11 @@ std::string render(const PassSource& source, Target target) {
   return text.append(in_compute(own)).append(compute_main);
 }
 
+int line_count(std::string_view text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n')) +
+         (text.empty() || text.ends_with('\n') ? 0 : 1);
+}
+
 int first_body_line(const PassSource& source) {
   return lines_in_front + static_cast<int>(std::count(source.head.begin(), source.head.end(), '\n')) + 1;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "host/project/project.h"
 
@@ -26,6 +27,9 @@ constexpr int compute_target_binding = 7;
 // GLSL ES 3.00, or 3.20 of a precise source; as compute 3.10 or 3.20. Every line of head, body and tail is
 // one line of the text, whatever the target.
 std::string render(const PassSource& source, Target target = Target::fragment);
+
+// The lines of a text; what stands behind the last line end counts as one.
+int line_count(std::string_view text);
 
 // The number of the body's first line in the rendered text, from 1.
 int first_body_line(const PassSource& source);

@@ -7,11 +7,6 @@
 namespace shadertwin {
 namespace {
 
-int line_count(const std::string& text) {
-  return static_cast<int>(std::count(text.begin(), text.end(), '\n')) +
-         (!text.empty() && text.back() != '\n' ? 1 : 0);
-}
-
 std::string joined(const std::vector<std::string>& lines, int first, int count) {
   std::string text;
   for (int i = first; i < first + count; ++i) text += lines[static_cast<std::size_t>(i)] + '\n';

@@ -28,10 +28,6 @@ EShMessages messages_for(Errors errors) {
   return errors == Errors::all ? EShMsgCascadingErrors : EShMsgDefault;
 }
 
-int line_count(const std::string& text) {
-  return static_cast<int>(std::count(text.begin(), text.end(), '\n')) + (text.ends_with('\n') ? 0 : 1);
-}
-
 // glslang numbers its messages by token; map_log wants lines.
 // `lines`: of the whole text. What is missing at its end is told behind the last token.
 std::string log_by_line(const std::string& log, const std::vector<PlainToken>& tokens, int lines) {

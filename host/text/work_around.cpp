@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/text/operands.h"
+#include "host/text/render.h"
 #include "host/text/rewritten_lines.h"
 
 namespace shadertwin {
@@ -46,10 +47,7 @@ class Constructs {
   std::vector<Continue> continues;
 
  private:
-  const std::string& text(int i) const {
-    static const std::string none;
-    return i >= 0 && i < static_cast<int>(tokens_.size()) ? tokens_[static_cast<std::size_t>(i)].text : none;
-  }
+  const std::string& text(int i) const { return text_at(tokens_, i); }
 
   // Each of these takes the token that something begins with and gives the one past its end.
 
@@ -196,9 +194,7 @@ PassSource work_around(const PassSource& source, const ShowsFault& shows) {
   if (continues) rewriter.keep_continues();
   PassSource result = source;
   result.body.clear();
-  const auto count = static_cast<int>(std::count(source.body.begin(), source.body.end(), '\n')) +
-                     (source.body.ends_with('\n') || source.body.empty() ? 0 : 1);
-  for (const std::string& line : rewriter.lines(count)) result.body += line + '\n';
+  for (const std::string& line : rewriter.lines(line_count(source.body))) result.body += line + '\n';
   result.helpers += rewriter.helpers;
   return result;
 }
