@@ -73,11 +73,7 @@ bool is_constant_that(const TIntermTyped& node, Test holds) {
   const TIntermConstantUnion* constant = node.getAsConstantUnion();
   if (constant == nullptr) return false;
   for (int i = 0; i < constant->getConstArray().size(); ++i) {
-    const glslang::TConstUnion& value = constant->getConstArray()[i];
-    const double number = value.getType() == glslang::EbtDouble ? value.getDConst()
-                          : value.getType() == glslang::EbtUint ? static_cast<double>(value.getUConst())
-                                                                : static_cast<double>(value.getIConst());
-    if (!holds(number)) return false;
+    if (!holds(number_of(constant->getConstArray()[i]))) return false;
   }
   return true;
 }

@@ -22,6 +22,18 @@ enum class Folding { float32, float64 };
 // Whether a parse that fails tells its first error or all of them; later ones may follow from the first.
 enum class Errors { first, all };
 
+// A component of a numeric constant.
+inline double number_of(const glslang::TConstUnion& value) {
+  switch (value.getType()) {
+    case glslang::EbtDouble:  // of every float, too
+      return value.getDConst();
+    case glslang::EbtUint:
+      return value.getUConst();
+    default:
+      return value.getIConst();
+  }
+}
+
 class SyntaxTree {
  public:
   // Parses a pass's whole text, `#version 300 es` or `#version 320 es`. Throws Error(shader) with lines

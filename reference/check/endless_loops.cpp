@@ -68,11 +68,7 @@ bool has_no_effect(TOperator op, const TIntermTyped& value) {
   }
   const TConstUnionArray& values = constant->getConstArray();
   for (int i = 0; i < values.size(); ++i) {
-    const TConstUnion& each = values[i];
-    const double number = each.getType() == EbtInt    ? each.getIConst()
-                          : each.getType() == EbtUint ? each.getUConst()
-                                                      : each.getDConst();
-    if (number != wanted) return false;
+    if (number_of(values[i]) != wanted) return false;
   }
   return true;
 }
