@@ -15,9 +15,9 @@ constexpr std::string_view precision = "precision highp float; precision highp i
 constexpr std::string_view sampler_precision =
     "precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;";
 
-// What stands in front of the head: version, precisions, output. A line each, so that the body has the same
-// place for all targets.
-constexpr int lines_in_front = 4;
+// What stands in front of the head: version, precisions, helpers, output. A line each, so that the body has
+// the same place for all targets.
+constexpr int lines_in_front = 5;
 
 std::string output_line(const PassSource& source, Target target) {
   if (target == Target::vertex || source.own_output) return "";
@@ -56,8 +56,9 @@ std::string render(const PassSource& source, Target target) {
                                    : target == Target::compute ? "#version 310 es\n"
                                                                : "#version 300 es\n";
   std::string text(version);
-  text.append(precision).append(source.helpers) += '\n';
+  text.append(precision) += '\n';
   text.append(sampler_precision) += '\n';
+  text.append(source.helpers) += '\n';
   text += output_line(source, target) + '\n';
   const std::string own = source.head + source.body + source.tail;
   if (target != Target::compute) return text + own;

@@ -31,6 +31,9 @@ std::string render(const PassSource& source, Target target = Target::fragment);
 // The lines of a text; what stands behind the last line end counts as one.
 int line_count(std::string_view text);
 
+// The number of the line that holds the helpers, from 1.
+constexpr int helpers_line = 4;
+
 // The number of the body's first line in the rendered text, from 1.
 int first_body_line(const PassSource& source);
 

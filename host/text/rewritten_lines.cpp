@@ -35,9 +35,7 @@ SectionLines::SectionLines(const PassSource& source)
 
 PassSource SectionLines::split(const std::vector<std::string>& lines) const {
   PassSource result = source_;
-  // render() writes the helpers behind two statements on the second line.
-  const std::string& helpers = lines.at(1);
-  result.helpers = helpers.substr(helpers.find(';', helpers.find(';') + 1) + 1);
+  result.helpers = lines.at(helpers_line - 1);
   result.head = joined(lines, front_, head_);
   result.body = joined(lines, front_ + head_, body_);
   result.tail = joined(lines, front_ + head_ + body_, tail_);

@@ -1,6 +1,7 @@
 #version 300 es
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
+
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution;
 uniform float iTime;

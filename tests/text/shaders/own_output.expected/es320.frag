@@ -2,6 +2,7 @@
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
 
+
 uniform vec3 iResolution ;
 uniform float iTime ;
 uniform float iTimeDelta ;
