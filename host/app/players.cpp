@@ -9,10 +9,12 @@ namespace shadertwin::app {
 
 namespace {
 
-std::unique_ptr<Player> open_gl(const DeviceChoice& on, const Project& project) {
+std::unique_ptr<Player> open_gl(const DeviceChoice& on, const Project& project, Timers timers) {
+  auto context = gl::open_context(on.device);
   gl::PlayerOptions options;
   options.dispatch = on.dispatch;
-  return gl::make_player(gl::open_context(on.device), project, options);
+  options.timers = timers == Timers::gpu && !context->info().software;
+  return gl::make_player(std::move(context), project, options);
 }
 
 std::unique_ptr<Player> open_twin(const DeviceChoice& on, const Project& project,
@@ -30,9 +32,9 @@ std::unique_ptr<Player> open_twin(const DeviceChoice& on, const Project& project
 }  // namespace
 
 std::unique_ptr<Player> open_player(const DeviceChoice& on, const Project& project,
-                                    const PlayOptions& options, std::set<std::string>* told) {
+                                    const PlayOptions& options, std::set<std::string>* told, Timers timers) {
   refuse_for_gl(options, on);
-  auto player = on.is_twin() ? open_twin(on, project, options) : open_gl(on, project);
+  auto player = on.is_twin() ? open_twin(on, project, options) : open_gl(on, project, timers);
   if (!options.quiet)
     for (const std::string& warning : player->warnings())
       if (told == nullptr || told->insert(warning).second) std::fprintf(stderr, "%s\n", warning.c_str());

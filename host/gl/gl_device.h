@@ -53,6 +53,8 @@ class GlDevice final : public Device {
   void draw(const DrawCall& call) override;
   Image read(TextureId target) override;
   void finish() override;
+  // Empty without PlayerOptions::timers or timer queries.
+  std::vector<double> milliseconds() override;
   std::string description() const override;
   std::vector<std::string> warnings() const override { return warnings_; }
 
@@ -62,9 +64,6 @@ class GlDevice final : public Device {
   // Copies a target of `source`, whose context shares its objects with this one, to one of the same kind and
   // size.
   void copy(const GlDevice& source, TextureId from, TextureId to);
-  // What each pass took on the GPU when last measured, -1 before; empty without PlayerOptions::timers or
-  // timer queries.
-  std::vector<double> milliseconds();
 
  private:
   struct CompiledPass {

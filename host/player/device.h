@@ -77,6 +77,9 @@ class Device {
   virtual Image read(TextureId target) = 0;
   // Waits until everything has been drawn.
   virtual void finish() = 0;
+  // Milliseconds that each pass took by the device's own clock when it was last measured, -1 if it never was.
+  // Empty: the device measures nothing.
+  virtual std::vector<double> milliseconds() { return {}; }
 
   // One line for people: renderer, version, and how fragments run.
   virtual std::string description() const = 0;

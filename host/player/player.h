@@ -40,6 +40,9 @@ class Player {
   // Waits until everything that was asked for has been drawn.
   void finish() { device_->finish(); }
 
+  // As Device::milliseconds() gives them.
+  std::vector<double> milliseconds() { return device_->milliseconds(); }
+
   // One line for people: renderer, version, and how fragments run.
   std::string description() const { return device_->description(); }
 

@@ -57,7 +57,7 @@ class SharedStage final : public Stage {
     gl::Context& context = device_->context();
     context.make_current();
     seen_.wait(context.functions());
-    milliseconds_ = device_->milliseconds();
+    milliseconds_ = player_->milliseconds();
     player_->render(frame);
     drawn_.set(context.functions());
     size_ = {frame.width, frame.height};

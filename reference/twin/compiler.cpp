@@ -10,9 +10,9 @@
 #include <system_error>
 
 #include "host/base/error.h"
+#include "host/base/hash.h"
+#include "host/base/process.h"
 #include "host/base/unfinished.h"
-#include "reference/twin/hash.h"
-#include "reference/twin/process.h"
 
 namespace shadertwin::twin {
 namespace fs = std::filesystem;

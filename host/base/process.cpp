@@ -1,4 +1,4 @@
-#include "reference/twin/process.h"
+#include "host/base/process.h"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -10,7 +10,7 @@
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it undeclared
 
-namespace shadertwin::twin {
+namespace shadertwin {
 
 std::filesystem::path find_program(const std::vector<std::string>& names) {
   const char* path = std::getenv("PATH");
@@ -63,4 +63,4 @@ ProcessResult run_process(const std::filesystem::path& program, const std::vecto
   return result;
 }
 
-}  // namespace shadertwin::twin
+}  // namespace shadertwin

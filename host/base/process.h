@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace shadertwin::twin {
+namespace shadertwin {
 
 // The first of `names` that is an executable file, searched on the PATH unless it has a slash. Empty: none.
 std::filesystem::path find_program(const std::vector<std::string>& names);
@@ -17,4 +17,4 @@ struct ProcessResult {
 
 ProcessResult run_process(const std::filesystem::path& program, const std::vector<std::string>& arguments);
 
-}  // namespace shadertwin::twin
+}  // namespace shadertwin

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace shadertwin::twin {
+namespace shadertwin {
 
 // 32 hexadecimal digits: two FNV-1a hashes (http://www.isthe.com/chongo/tech/comp/fnv/) with different
 // starts.
@@ -19,4 +19,4 @@ inline std::string hash_name(std::string_view text) {
   return name;
 }
 
-}  // namespace shadertwin::twin
+}  // namespace shadertwin
