@@ -46,6 +46,11 @@
 #define RANDOM_NUMBERS 0
 #endif
 
+// Another stream of random numbers for every whole number: the same picture with other noise.
+#ifndef SEED
+#define SEED 0
+#endif
+
 // Microfacets that are hidden. 0: height-correlated Smith. 1: separable Smith, 1 to 3 % darker when rough. 2: the
 // report's equations 7 and 8, Schlick's fit with k = alpha / 2: no square roots, 5 to 8 % darker.
 #ifndef MASKING
@@ -317,14 +322,15 @@ uvec2 sobolOwen(uint index, uint shuffle, uint scramble)
 vec4 random4(uvec3 stream, uint dimension)
 {
 #if RANDOM_NUMBERS == 0
-    return vec4(pcg4d(uvec4(stream, dimension)) >> 8u) * 5.96046448e-8;
+    return vec4(pcg4d(uvec4(stream, dimension + 2654435769u * uint(SEED))) >> 8u) * 5.96046448e-8;
 #elif RANDOM_NUMBERS == 1
-    uvec4 seeds = pcg4d(uvec4(stream.xy, 0u, dimension));
+    uvec4 seeds = pcg4d(uvec4(stream.xy, uint(SEED), dimension));
     uvec2 first = sobolOwen(stream.z, seeds.x, seeds.y);
     uvec2 second = sobolOwen(stream.z, seeds.z, seeds.w);
     return vec4(uvec4(first, second) >> 8u) * 5.96046448e-8;
 #else
-    float seed = float(hash32(stream.x + hash32(stream.y + hash32(stream.z))) >> 8u) * 5.96046448e-8;
+    uint key = stream.x + hash32(stream.y + hash32(stream.z + hash32(uint(SEED))));
+    float seed = float(hash32(key) >> 8u) * 5.96046448e-8;
     vec4 seeds = seed + 0.1 * (vec4(1.0, 2.0, 3.0, 4.0) + 4.0 * float(dimension));
     uvec4 bits = floatBitsToUint(seeds);
     return vec4(uvec4(hash32(bits.x), hash32(bits.y), hash32(bits.z), hash32(bits.w)) >> 8u) * 5.96046448e-8;
