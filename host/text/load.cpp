@@ -2,10 +2,25 @@
 
 #include "host/text/canonicalise.h"
 #include "host/text/host_text.h"
+#include "host/text/knobs.h"
 #include "host/text/other_uniforms.h"
 #include "host/text/resolve_macros.h"
 
 namespace shadertwin {
+
+namespace {
+
+// A slip in a -D would change nothing, and nobody would know.
+void warn_of_defines(Project& project) {
+  for (const auto& [name, value] : project.defines) {
+    if (mentions(project, name)) continue;
+    const std::string nearest = nearest_knob(project, name);
+    project.warnings.push_back("-D " + name + ": warning: no pass mentions " + name +
+                               (nearest.empty() ? "" : "; is " + nearest + " meant?"));
+  }
+}
+
+}  // namespace
 
 Project load_project(const std::filesystem::path& shader, const LoadOptions& options) {
   Project project = read_project(shader, options);
@@ -21,6 +36,7 @@ Project load_project(const std::filesystem::path& shader, const LoadOptions& opt
     }
     write_host_text(project, pass, options.vr);
   }
+  warn_of_defines(project);
   return project;
 }
 

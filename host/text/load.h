@@ -7,8 +7,8 @@
 
 namespace shadertwin {
 
-// read_project(), with every pass's text put into the host's. Throws as it does, and Error(shader) for a pass
-// without an entry point.
+// read_project(), with every pass's text put into the host's, and a warning for each macro of the command
+// line that no text mentions. Throws as it does, and Error(shader) for a pass without an entry point.
 Project load_project(const std::filesystem::path& shader, const LoadOptions& options = {});
 
 }  // namespace shadertwin
