@@ -13,6 +13,7 @@ void add_debug(CLI::App& app, const std::vector<std::string>& arguments);
 void add_devices(CLI::App& app);
 void add_export(CLI::App& app);
 void add_render(CLI::App& app);
+void add_sweep(CLI::App& app);
 void add_view(CLI::App& app);
 
 }  // namespace shadertwin::app

@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
   shadertwin::app::add_view(app);
   shadertwin::app::add_render(app);
   shadertwin::app::add_compare(app);
+  shadertwin::app::add_sweep(app);
   shadertwin::app::add_check(app);
   shadertwin::app::add_export(app);
   shadertwin::app::add_debug(app, {argv + 1, argv + argc});

@@ -57,7 +57,7 @@ void add_precise_option(CLI::App& command, PlayOptions& o) {
       "the operations that the text states, as the CPU twin does");
 }
 
-void add_frame_options(CLI::App& command, PlayOptions& o) {
+void add_size_option(CLI::App& command, PlayOptions& o) {
   const auto set_size = [&o](const std::string& word) {
     const glm::ivec2 size = read_size(word);
     o.schedule.width = size.x;
@@ -65,12 +65,20 @@ void add_frame_options(CLI::App& command, PlayOptions& o) {
   };
   add_word(command, "--size", set_size, "picture size in pixels, WIDTHxHEIGHT")
       ->default_str(std::to_string(o.schedule.width) + 'x' + std::to_string(o.schedule.height));
+}
+
+void add_clock_options(CLI::App& command, PlayOptions& o) {
   add_value(command, "--fps", o.schedule.fps, read_rate, "frames a second of shader time", "60")
       ->type_name("FLOAT");
   add_value(command, "--time", o.schedule.t0, read_time, "iTime of the first frame, seconds", "0")
       ->type_name("FLOAT");
   add_value(command, "--date", o.schedule.date, Date::parse, "iDate of the first frame, YYYY-MM-DDTHH:MM:SS",
             "2024-01-01T00:00:00");
+}
+
+void add_frame_options(CLI::App& command, PlayOptions& o) {
+  add_size_option(command, o);
+  add_clock_options(command, o);
 }
 
 void add_script_options(CLI::App& command, PlayOptions& o) {

@@ -39,7 +39,10 @@ struct PlayOptions {
 void add_project_options(CLI::App& command, PlayOptions& options);
 void add_init_option(CLI::App& command, PlayOptions& options);
 void add_precise_option(CLI::App& command, PlayOptions& options);
-// Size and time of the frames.
+void add_size_option(CLI::App& command, PlayOptions& options);
+// What time and date it is in a frame.
+void add_clock_options(CLI::App& command, PlayOptions& options);
+// Both: size and time of the frames.
 void add_frame_options(CLI::App& command, PlayOptions& options);
 // How many frames, with what mouse and keys.
 void add_script_options(CLI::App& command, PlayOptions& options);

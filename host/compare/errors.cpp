@@ -41,18 +41,21 @@ PictureError picture_error(const Image& picture, const Image& reference) {
   return result;
 }
 
-ErrorParts error_parts(const Image& a, const Image& b, const Image& reference) {
-  SHADERTWIN_ASSERT_EQ(a.rgba.size(), reference.rgba.size());
-  SHADERTWIN_ASSERT_EQ(b.rgba.size(), reference.rgba.size());
+ErrorParts error_parts(const Image& a, const Image& b, const Image& reference_a, const Image& reference_b) {
+  SHADERTWIN_ASSERT_EQ(a.rgba.size(), reference_a.rgba.size());
+  SHADERTWIN_ASSERT_EQ(b.rgba.size(), reference_b.rgba.size());
+  SHADERTWIN_ASSERT_EQ(a.rgba.size(), b.rgba.size());
   ErrorParts result;
   std::size_t values = 0;
   for_each_value(a, [&](std::size_t i) {
     const double x = a.rgba[i];
     const double y = b.rgba[i];
-    const double r = reference.rgba[i];
+    const double rx = reference_a.rgba[i];
+    const double ry = reference_b.rgba[i];
+    const double r = 0.5 * (rx + ry);
     if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(r)) return;
     ++values;
-    result.relative_bias2 += (x - r) * (y - r) * weight(r);
+    result.relative_bias2 += (x - rx) * (y - ry) * weight(r);
     result.relative_variance += 0.5 * (x - y) * (x - y) * weight(r);
   });
   if (values == 0) return result;

@@ -28,13 +28,14 @@ PictureError picture_error(const Image& picture, const Image& reference);
 // samples remove, is different in both; bias is the same. With the errors e_a and e_b, E[e_a e_b] is the
 // square of the bias, and E[(a - b)^2] / 2 the variance. Both are unbiased estimates and relative, as
 // relative_mse is: their expectations add up to its own. The bias may therefore come out below 0, if noise
-// hides it; the reference's own noise counts as bias.
+// hides it.
 struct ErrorParts {
   double relative_bias2 = 0.0;
   double relative_variance = 0.0;
 };
 
-// The pictures must have one size.
-ErrorParts error_parts(const Image& a, const Image& b, const Image& reference);
+// The reference may be an estimate, too: if `reference_a` and `reference_b` are independent, their own noise
+// adds nothing. Errors are relative to their mean. The pictures must have one size.
+ErrorParts error_parts(const Image& a, const Image& b, const Image& reference_a, const Image& reference_b);
 
 }  // namespace shadertwin

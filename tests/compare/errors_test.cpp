@@ -51,25 +51,30 @@ TEST(PictureError, CountsWhatIsNoNumberAndLeavesItOut) {
 TEST(ErrorParts, TellBiasFromNoise) {
   std::mt19937 random(7);
   std::normal_distribution<float> noise(0.0F, 0.2F);
-  const auto noisy = [&](float mean) {
+  const auto noisy = [&](float mean, float share = 1.0F) {
     Image image = flat(mean, mean, mean, 256);
-    for (float& value : image.rgba) value += noise(random);
+    for (float& value : image.rgba) value += share * noise(random);
     return image;
   };
   const Image reference = flat(1.0F, 1.0F, 1.0F, 256);
   constexpr double unit = 1.0 / 1.01;  // of a relative error where the reference is 1
   // 196,608 values: the standard error of each estimate is below 0.0002.
-  const ErrorParts unbiased = error_parts(noisy(1.0F), noisy(1.0F), reference);
+  const ErrorParts unbiased = error_parts(noisy(1.0F), noisy(1.0F), reference, reference);
   EXPECT_NEAR(unbiased.relative_variance, 0.04 * unit, 0.001);
   EXPECT_NEAR(unbiased.relative_bias2, 0.0, 0.001);
   const Image a = noisy(1.1F);
   const Image b = noisy(1.1F);
-  const ErrorParts biased = error_parts(a, b, reference);
+  const ErrorParts biased = error_parts(a, b, reference, reference);
   EXPECT_NEAR(biased.relative_variance, 0.04 * unit, 0.001);
   EXPECT_NEAR(biased.relative_bias2, 0.01 * unit, 0.001);
   EXPECT_NEAR(biased.relative_bias2 + biased.relative_variance,
               0.5 * (picture_error(a, reference).relative_mse + picture_error(b, reference).relative_mse),
               1e-9);
+
+  const ErrorParts noisy_references =
+      error_parts(noisy(1.0F), noisy(1.0F), noisy(1.0F, 0.3F), noisy(1.0F, 0.3F));
+  // Of one reference it would be 0.0036.
+  EXPECT_NEAR(noisy_references.relative_bias2, 0.0, 0.001);
 }
 
 }  // namespace

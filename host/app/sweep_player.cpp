@@ -1,0 +1,267 @@
+#include "host/app/sweep_player.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "host/app/players.h"
+#include "host/base/error.h"
+#include "host/base/hash.h"
+#include "host/base/output_file.h"
+#include "host/compare/errors.h"
+#include "host/compare/flip.h"
+#include "host/gl/context.h"
+#include "host/text/load.h"
+
+namespace shadertwin::app {
+
+namespace fs = std::filesystem;
+using sweep::Axis;
+using sweep::Measurement;
+
+namespace {
+
+// A median wants a few; what a fast shader draws on top costs little.
+constexpr std::size_t least_timed_frames = 5;
+
+// Of all threads of this process.
+double processor_milliseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return sweep::unknown;
+  std::sort(values.begin(), values.end());
+  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+}
+
+// A file as its path, length and age: enough to see that it was changed.
+std::string file_key(const fs::path& file) {
+  std::error_code failed;
+  const auto size = fs::file_size(file, failed);
+  const auto time = fs::last_write_time(file, failed).time_since_epoch().count();
+  return file.string() + ' ' + std::to_string(size) + ' ' + std::to_string(time) + '\n';
+}
+
+}  // namespace
+
+PlayOptions options_of(const SweepOptions& options, const sweep::Point& point) {
+  PlayOptions result = options;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const Axis& axis = options.axes[i];
+    switch (axis.kind) {
+      case Axis::Kind::define:
+        if (!point[i].empty()) result.defines.emplace_back(axis.name, point[i]);
+        break;
+      case Axis::Kind::on:
+        result.on = read_device(point[i]);
+        break;
+      case Axis::Kind::size: {
+        const glm::ivec2 size = read_size(point[i]);
+        result.schedule.width = size.x;
+        result.schedule.height = size.y;
+        break;
+      }
+      case Axis::Kind::init:
+        result.init = point[i] == "raw" ? Undefined::raw : Undefined::zero;
+        break;
+      case Axis::Kind::precise:
+        result.precise = point[i] == "on";
+        break;
+    }
+  }
+  return result;
+}
+
+const std::string& SweepPlayer::device(const DeviceChoice& on) {
+  std::string& known = devices_[on.text];
+  if (known.empty()) known = on.is_twin() ? on.text : gl::open_context(on.device)->info().renderer;
+  return known;
+}
+
+std::vector<std::string> SweepPlayer::devices() const {
+  std::vector<std::string> names;
+  for (const auto& [name, device] : devices_) names.push_back(device);
+  return names;
+}
+
+std::string SweepPlayer::picture_key(const PlayOptions& options, int frames) {
+  const Project project = load_project(options.shader, make_load_options(options));
+  const Schedule& s = options.schedule;
+  std::string text = options.on.text + ' ' + device(options.on) + ' ' + std::to_string(frames) + ' ' +
+                     std::to_string(s.width) + 'x' + std::to_string(s.height) + ' ' + std::to_string(s.fps) +
+                     ' ' + std::to_string(s.t0) + (options.precise ? " precise" : "") +
+                     (options.init == Undefined::raw ? " raw " : " ") + options.pass + '\n';
+  for (const MouseStep& step : s.mouse)
+    text += std::to_string(step.frame) + ' ' + std::to_string(step.position.x) + ' ' +
+            std::to_string(step.position.y) + (step.down ? " down\n" : "\n");
+  for (const KeyStep& step : s.keys)
+    text += std::to_string(step.code) + ' ' + std::to_string(step.frame) + ' ' +
+            std::to_string(step.release.value_or(-1)) + '\n';
+  for (const Pass& pass : project.passes) {
+    text += pass.name + '\n' + pass.source.head + pass.source.body + pass.source.tail;
+    for (const Input& input : pass.inputs)
+      for (const fs::path& file : input.files) text += file_key(file);
+  }
+  return hash_name(text);
+}
+
+SweepPlayer::Take SweepPlayer::play(const PlayOptions& options, int frames, bool on_its_way,
+                                    const Reference* reference) {
+  const Project project = load_project(options.shader, make_load_options(options));
+  PlayOptions silent = options;
+  silent.quiet = true;
+  const auto player = open_player(options.on, project, silent, nullptr, Timers::gpu);
+  const int shown = chosen_pass(project, options);
+  const int last = static_cast<int>(project.passes.size()) - 1;
+  const double target =
+      options_.targets.empty() ? 0.0 : *std::min_element(options_.targets.begin(), options_.targets.end());
+  FixedClock clock(options.schedule, host_rules(project));
+  Take take;
+  // The first frame is left out: drivers go on compiling in it.
+  const auto draw = [&](bool timed) {
+    const double start = processor_milliseconds();
+    player->render(clock.next());
+    player->finish();
+    if (!timed) return;
+    const double processor = processor_milliseconds() - start;
+    double gpu = 0.0;
+    for (const double pass : player->milliseconds()) gpu += std::max(pass, 0.0);
+    take.gpu = gpu > 0.0;
+    take.milliseconds.push_back(take.gpu ? gpu : processor);
+  };
+  int end = frames;
+  for (int i = 1; i <= end; ++i) {
+    draw(i > 1);
+    const bool power_of_two = (i & (i - 1)) == 0;
+    if (i != end && !(on_its_way && power_of_two)) continue;
+    take.frames.push_back(i);
+    take.shown.push_back(player->read(shown));
+    if (i == end && reference != nullptr && options_.max_frames.value_or(0) > end &&
+        picture_error(take.shown.back(), reference->shown.front()).relative_mse > target)
+      end = std::min(*options_.max_frames, 2 * end);
+  }
+  if (shown != last) take.last = player->read(last);
+  while (take.milliseconds.size() < least_timed_frames) draw(true);
+  return take;
+}
+
+PlayOptions SweepPlayer::with_seed(PlayOptions options, unsigned number) {
+  options.seed = options.seed.value_or(0) + number;
+  return options;
+}
+
+Reference SweepPlayer::reference(const sweep::Point& point) {
+  if (!options_.reference_file.empty())
+    return {hash_name(file_key(options_.reference_file)), {read_image(options_.reference_file)}};
+  PlayOptions options = options_of(options_, point);
+  for (const Define& define : options_.reference_defines) {
+    std::erase_if(options.defines, [&](const Define& d) { return d.first == define.first; });
+    options.defines.push_back(define);
+  }
+  if (options_.reference_on.has_value()) options.on = *options_.reference_on;
+  const int frames = options_.reference_frames.value_or(options.frames);
+  Reference reference{picture_key(options, frames), {}};
+  const auto kept = [&](const std::string& what) {
+    return fs::path(options_.output).replace_extension(what + '-' + reference.key.substr(0, 8) + ".exr");
+  };
+  const auto keep = [&](const Image& image, const std::string& what) {
+    if (!options_.output.empty()) write_image(image, kept(what));
+  };
+  const std::vector<std::string> names = seeded_ ? std::vector<std::string>{"reference-a", "reference-b"}
+                                                 : std::vector<std::string>{"reference"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!options_.output.empty() && fs::exists(kept(names[i]))) {
+      reference.shown.push_back(read_image(kept(names[i])));
+      if (fs::exists(kept("picture"))) reference.picture = read_image(kept("picture"));
+      continue;
+    }
+    // Far from the seeds of the runs.
+    Take take = play(seeded_ ? with_seed(options, static_cast<unsigned>(i) * 1000000U) : options, frames,
+                     false, nullptr);
+    if (i == 0 && take.last.has_value()) {
+      reference.picture = std::move(take.last);
+      keep(*reference.picture, "picture");
+    }
+    reference.shown.push_back(std::move(take.shown.back()));
+    keep(reference.shown.back(), names[i]);
+  }
+  return reference;
+}
+
+std::string SweepPlayer::key(const sweep::Point& point, const Reference* reference) {
+  const PlayOptions options = options_of(options_, point);
+  std::string text = picture_key(options, options.frames);
+  text += options_.accumulates ? " on its way" : "";
+  if (options_.max_frames.has_value()) text += " up to " + std::to_string(*options_.max_frames);
+  if (reference != nullptr) text += reference->key;
+  return hash_name(text).substr(0, 16);
+}
+
+std::vector<Measurement> SweepPlayer::run(const sweep::Point& point, int number, const Reference* reference) {
+  const PlayOptions options = options_of(options_, point);
+  std::vector<Take> takes;
+  for (unsigned i = 0; i < (seeded_ ? 2U : 1U); ++i) {
+    const PlayOptions own =
+        seeded_ ? with_seed(options, 1U + 2U * static_cast<unsigned>(number) + i) : options;
+    takes.push_back(play(own, options.frames, options_.accumulates && reference != nullptr, reference));
+    const Image& drawn = takes.back().shown.back();
+    if (reference == nullptr) continue;
+    const Image& right = reference->shown.front();
+    if (drawn.width != right.width || drawn.height != right.height)
+      throw Error(ExitStatus::usage, "the reference has " + std::to_string(right.width) + "x" +
+                                         std::to_string(right.height) + " pixels, this picture " +
+                                         std::to_string(drawn.width) + "x" + std::to_string(drawn.height));
+  }
+  std::vector<double> times;
+  for (const Take& take : takes)
+    times.insert(times.end(), take.milliseconds.begin(), take.milliseconds.end());
+  std::vector<Measurement> result;
+  for (std::size_t stage = 0; stage < std::min(takes.front().frames.size(), takes.back().frames.size());
+       ++stage) {
+    Measurement m;
+    m.run = number;
+    m.frames = takes.front().frames[stage];
+    m.milliseconds = median(times);
+    m.gpu = takes.front().gpu;
+    double mse = 0.0;
+    double relative_mse = 0.0;
+    std::size_t values = 0;
+    for (const Take& take : takes) {
+      const Image& drawn = take.shown[stage];
+      const PictureError error =
+          picture_error(drawn, reference != nullptr ? reference->shown.front() : drawn);
+      m.nan += error.nan;
+      m.infinite += error.infinite;
+      mse += error.mse / static_cast<double>(takes.size());
+      relative_mse += error.relative_mse / static_cast<double>(takes.size());
+      values += error.values;
+    }
+    if (reference != nullptr && values > 0) {
+      m.mse = mse;
+      m.relative_mse = relative_mse;
+    }
+    if (reference != nullptr && values > 0 && takes.size() == 2) {
+      const ErrorParts parts = error_parts(takes[0].shown[stage], takes[1].shown[stage],
+                                           reference->shown.front(), reference->shown.back());
+      m.relative_bias2 = parts.relative_bias2;
+      m.relative_variance = parts.relative_variance;
+      // Without the reference's own noise, if it was drawn twice.
+      if (reference->shown.size() == 2)
+        m.relative_mse = std::max(parts.relative_bias2 + parts.relative_variance, 0.0);
+    }
+    result.push_back(m);
+  }
+  if (reference != nullptr) {
+    // Of what people see: of a buffer, the last pass; a file says nothing about that one.
+    if (!takes[0].last.has_value())
+      result.back().flip = flip(takes[0].shown.back(), reference->shown.front());
+    else if (reference->picture.has_value())
+      result.back().flip = flip(*takes[0].last, *reference->picture);
+  }
+  return result;
+}
+
+}  // namespace shadertwin::app

@@ -1,0 +1,87 @@
+// Plays the points of a sweep and measures them.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/app/options.h"
+#include "host/image/image.h"
+#include "host/sweep/measurement.h"
+#include "host/sweep/plan.h"
+
+namespace shadertwin::app {
+
+struct SweepOptions : PlayOptions {
+  std::vector<sweep::Axis> axes;
+  bool one_at_a_time = false;
+  int runs = 4;
+  // The picture that is right: a file, or how to draw it.
+  std::string reference_file;
+  std::vector<Define> reference_defines;
+  std::optional<int> reference_frames;
+  std::optional<DeviceChoice> reference_on;
+  // The picture gets better from frame to frame, so that it is measured on its way, after 1, 2, 4 ... frames.
+  bool accumulates = false;
+  std::vector<double> targets;    // relative MSE
+  std::optional<int> max_frames;  // how far to go on while the least target is not reached
+  std::string output;             // a CSV
+  std::string plot;
+
+  bool has_reference() const {
+    return !reference_file.empty() || !reference_defines.empty() || reference_frames.has_value() ||
+           reference_on.has_value();
+  }
+};
+
+// The options with which a point is played.
+PlayOptions options_of(const SweepOptions& options, const sweep::Point& point);
+
+// What a point is compared with.
+struct Reference {
+  std::string key;
+  std::vector<Image> shown;  // one, or two with other random numbers, so that their noise can be told
+  std::optional<Image> picture = {};  // the last pass, for people's eyes, where it isn't the shown one
+};
+
+class SweepPlayer {
+ public:
+  // `seeded`: the shader has the knob SEED, so that every run has random numbers of its own.
+  SweepPlayer(const SweepOptions& options, bool seeded) : options_(options), seeded_(seeded) {}
+
+  // Reads the file, or plays `point`, or takes what an earlier sweep has left beside the output. Throws as a
+  // player does.
+  Reference reference(const sweep::Point& point);
+  // Names all that decides what a point's runs measure.
+  std::string key(const sweep::Point& point, const Reference* reference);
+  // Plays the point, twice where there are seeds. Throws as a player does.
+  std::vector<sweep::Measurement> run(const sweep::Point& point, int number, const Reference* reference);
+  // What the devices are that were asked for.
+  std::vector<std::string> devices() const;
+
+ private:
+  struct Take {
+    std::vector<int> frames;    // after which
+    std::vector<Image> shown;   // the shown pass was read
+    std::optional<Image> last;  // the last pass, after the last of them
+    std::vector<double> milliseconds;
+    bool gpu = false;  // measured them
+  };
+
+  // Goes on beyond `frames` if the target asks for it, seen from `reference`.
+  Take play(const PlayOptions& options, int frames, bool on_its_way, const Reference* reference);
+  // The picture with these seeds' numbers, where there are seeds.
+  static PlayOptions with_seed(PlayOptions options, unsigned number);
+  // The key of what these options draw.
+  std::string picture_key(const PlayOptions& options, int frames);
+  // What a device is, beside its name.
+  const std::string& device(const DeviceChoice& on);
+
+  const SweepOptions& options_;
+  bool seeded_;
+  std::map<std::string, std::string> devices_;
+};
+
+}  // namespace shadertwin::app
