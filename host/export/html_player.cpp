@@ -67,14 +67,14 @@ class Describer {
             {"kind", traits(pass).name},
             {"targets", targets},
             {"keyboard", pass.keyboard},
-            {"vertex", pass.vertex ? describe(*pass.vertex, Target::vertex) : Json()},
-            {"source", describe(pass.source, Target::fragment)},
+            {"vertex", pass.vertex ? describe(*pass.vertex, ShaderStage::vertex) : Json()},
+            {"source", describe(pass.source, ShaderStage::fragment)},
             {"inputs", inputs}};
   }
 
-  static Json describe(const PassSource& source, Target target) {
+  static Json describe(const PassSource& source, ShaderStage stage) {
     throw_if_refused(source);  // the text has no directives any more that a browser could refuse
-    return {{"text", render(source, target)},
+    return {{"text", render(source, stage)},
             {"first_line", first_body_line(source)},
             {"lines", runs(source.lines)}};
   }

@@ -88,7 +88,7 @@ class View {
   }
 
   void play_sound() {
-    sound_.play(playing_.project(), shader_date(options_.clock.date.value_or(Moment::now().date), 0.0));
+    sound_.play(playing_.project(), shader_date(options_.clock.date.value_or(ClockReading::now().date), 0.0));
   }
 
   void take(Reloader::Result result) {
@@ -247,7 +247,7 @@ class View {
 
   void print_commands(glm::dvec2 position) {
     if (!frame_.has_value()) return;
-    const Picture picture = playing_.stage().picture(playing_.pass());
+    const ShownTexture picture = playing_.stage().picture(playing_.pass());
     if (picture.texture == 0) return;
     const std::string pass = playing_.shows_last() ? "" : playing_.shown().name;
     const FrameCommand command{playing_.shader().string(), all_options(), options_.clock.rate.value_or(0.0),
@@ -294,7 +294,7 @@ class View {
       if (halted_at_.has_value()) dashboard_.clear_problem();
       halted_at_.reset();
       pixels_ = size;
-      const Moment now = Moment::now();
+      const ClockReading now = ClockReading::now();
       Frame frame = clock_.next(now, size);
       if (clock_.paused())
         sound_.rest();
@@ -328,7 +328,7 @@ class View {
   void present(glm::ivec2 pixels) {
     const auto start = Clock::now();
     window_.context().make_current();
-    const Picture picture = playing_.stage().picture(playing_.pass());
+    const ShownTexture picture = playing_.stage().picture(playing_.pass());
     if (picture.texture != 0 && !halted_at_.has_value())
       presenter_.draw(picture, pixels, dashboard_.paints());
     else

@@ -7,11 +7,11 @@ namespace {
 
 constexpr glm::ivec2 size(64, 36);
 
-Moment at(double seconds) {
-  Moment moment;
-  moment.seconds = seconds;
-  moment.date = {2025, 3, 14, 7200.25};
-  return moment;
+ClockReading at(double seconds) {
+  ClockReading reading;
+  reading.seconds = seconds;
+  reading.date = {2025, 3, 14, 7200.25};
+  return reading;
 }
 
 TEST(LiveClock, TimeRunsWithTheClockFromZero) {
