@@ -36,7 +36,10 @@ class LiveClock {
   // What a hand does goes in here, between frames.
   Mouse& mouse() { return mouse_; }
   KeyboardState& keyboard() { return keyboard_; }
-  void set_buttons(bool left, bool right) { buttons_ = {left, right}; }
+  // 0: left, 1: right; others are nothing to a shader.
+  void set_button(int button, bool down) {
+    if (button == 0 || button == 1) buttons_[button] = down;
+  }
 
   bool paused() const { return settings_.paused; }
   // Time does not advance while paused, and not by the pause afterwards.
