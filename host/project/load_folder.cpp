@@ -94,7 +94,7 @@ class FolderLoader {
     const fs::path& file = files_of_passes_[static_cast<std::size_t>(index)];
     Pass& pass = project_.passes[static_cast<std::size_t>(index)];
     Body body;
-    body.append(to_text(options_.defines), -1, 0);
+    body.append(to_text(options_.settings.defines), -1, 0);
     std::vector<PlacedDirective> directives;
     if (!common.empty()) {
       const std::size_t start = body.size();

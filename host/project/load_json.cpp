@@ -143,7 +143,7 @@ class JsonLoader {
   void bind_inputs() {
     std::vector<JsonPass> ids;
     for (const Parsed& parsed : parsed_) ids.push_back(parsed.ids);
-    JsonInputs inputs(media_, name_, ids, options_.muted, project_.warnings);
+    JsonInputs inputs(media_, name_, ids, options_.settings.muted, project_.warnings);
     for (Parsed& parsed : parsed_) inputs.bind(*parsed.json, parsed.pass);
     for (Parsed& parsed : parsed_) project_.passes.push_back(parsed.pass);
   }
@@ -159,7 +159,7 @@ class JsonLoader {
 
   void finish(Parsed& parsed) {
     Body body;
-    body.append(to_text(options_.defines), -1, 0);
+    body.append(to_text(options_.settings.defines), -1, 0);
     const std::size_t start = body.size();
     for (std::size_t i = 0; i < common_.size(); ++i)
       append(common_[i], i == 0 ? "Common" : "Common " + std::to_string(i + 1), body);

@@ -106,7 +106,7 @@ void add_uniforms(Head& head, const HostRules& rules, const Project& project, co
 
 // main() for the kind of pass; none if it is the user's own.
 std::optional<MainText> choose_main(const Project& project, const Pass& pass, const EntryPoints& entry,
-                                    bool vr, bool asserts) {
+                                    bool asserts) {
   const bool opaque = host_rules(project).opaque_image && pass.kind == PassKind::image;
   if (pass.kind == PassKind::sound) {
     if (!entry.sound) fail_without_entry(project, pass, "mainSound(in int, float)");
@@ -116,7 +116,7 @@ std::optional<MainText> choose_main(const Project& project, const Pass& pass, co
     if (!entry.cubemap) fail_without_entry(project, pass, "mainCubemap(out vec4, in vec2, in vec3, in vec3)");
     return cubemap_main();
   }
-  if (vr && pass.kind == PassKind::image) {
+  if (project.vr && pass.kind == PassKind::image) {
     if (!entry.vr) fail_without_entry(project, pass, "mainVR(out vec4, in vec2, in vec3, in vec3)");
     return vr_main(opaque);
   }
@@ -149,7 +149,7 @@ std::string host_uniforms(const Project& project, const Pass& pass) {
   return head.take();
 }
 
-void write_host_text(const Project& project, Pass& pass, bool vr) {
+void write_host_text(const Project& project, Pass& pass) {
   const std::vector<Token> tokens = tokenize(pass.source.body);
   const EntryPoints entry = find_entry_points(tokens);
   if (!entry.image && entry.main && is_vertex_shader(tokens))
@@ -158,7 +158,7 @@ void write_host_text(const Project& project, Pass& pass, bool vr) {
   const HostRules rules = host_rules(project);
   const bool asserts = rules.has_asserts && pass.kind == PassKind::image && mentions(tokens, "st_assert");
   pass.has_vr = entry.vr;
-  const std::optional<MainText> main = choose_main(project, pass, entry, vr, asserts);
+  const std::optional<MainText> main = choose_main(project, pass, entry, asserts);
 
   Head head(tokens);
   add_uniforms(head, rules, project, pass);

@@ -19,7 +19,7 @@ Project load_project(const std::filesystem::path& shader, const LoadOptions& opt
       resolve_macros(project, *pass.vertex, ShaderStage::vertex);
       canonicalise_body(*pass.vertex);
     }
-    write_host_text(project, pass, options.vr);
+    write_host_text(project, pass);
   }
   return project;
 }

@@ -284,7 +284,8 @@ TEST_F(LoadJson, DrawsMainVrWhenAsked) {
   const json document = api({pass("image", 37, json::array(), code)});
   EXPECT_TRUE(load(document).passes[0].has_vr);
   EXPECT_EQ(load(document).passes[0].source.head.find("mainVR("), std::string::npos);
-  EXPECT_NE(load(document, {.vr = true}).passes[0].source.head.find("mainVR("), std::string::npos);
+  EXPECT_NE(load(document, {.settings = {.vr = true}}).passes[0].source.head.find("mainVR("),
+            std::string::npos);
   EXPECT_FALSE(load(api({pass("image", 37)})).passes[0].has_vr);
 }
 
