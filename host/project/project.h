@@ -48,10 +48,9 @@ enum class InputKind {
   video,  // files[0]
   webcam,
   microphone,
-  // A buffer or the cubemap pass that the project lacks: texels that nobody draws, of the size that the pass
+  // A pass of the kind `undrawn` that the project lacks: texels that nobody draws, of the size that the pass
   // would have. shadertoy.com has all of them, drawn or not.
-  undrawn_buffer,
-  undrawn_cubemap
+  undrawn
 };
 
 // What is bound to one channel of one pass.
@@ -61,8 +60,9 @@ struct Input {
   InputKind missing = InputKind::none;
   Sampler sampler;
   std::vector<std::filesystem::path> files;
-  int pass = -1;          // index into Project::passes when kind is pass
-  bool red_only = false;  // a texture of one channel: r is the picture's grey, g = b = 0, a = 1
+  int pass = -1;                        // index into Project::passes when kind is pass
+  PassKind undrawn = PassKind::buffer;  // when kind is undrawn
+  bool red_only = false;                // a texture of one channel: r is the picture's grey, g = b = 0, a = 1
 
   // What the channel is, or would be if what is missing were there.
   InputKind wanted() const { return kind == InputKind::none ? missing : kind; }

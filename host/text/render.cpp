@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "host/language/tokens.h"
+#include "host/project/kinds.h"
 
 namespace shadertwin {
 
@@ -79,7 +80,7 @@ bool can_run_as_compute(const Pass& pass, std::string* why) {
     if (why != nullptr) *why = reason;
     return false;
   };
-  if (pass.kind != PassKind::image && pass.kind != PassKind::buffer) return no("the pass is not a picture");
+  if (!traits(pass).fills_frame()) return no("the pass is not a picture");
   if (pass.vertex.has_value()) return no("it has its own vertex shader");
   if (pass.source.own_output) return no("the shader declares its own output");
   const std::vector<Token> tokens = tokenize(pass.source.body);

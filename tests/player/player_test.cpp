@@ -169,9 +169,10 @@ TEST(Player, EmptyChannelsHaveOneTexelOfTheShapeThatIsMissing) {
 
 TEST(Player, APassThatIsNotThereIsAsLargeAsItWouldBe) {
   Project project = accumulating();
-  project.passes[0].inputs[1] = of_kind(InputKind::undrawn_buffer);
-  project.passes[1].inputs[1] = of_kind(InputKind::undrawn_buffer);
-  project.passes[1].inputs[2] = of_kind(InputKind::undrawn_cubemap);
+  project.passes[0].inputs[1] = of_kind(InputKind::undrawn);
+  project.passes[1].inputs[1] = of_kind(InputKind::undrawn);
+  project.passes[1].inputs[2] = of_kind(InputKind::undrawn);
+  project.passes[1].inputs[2].undrawn = PassKind::cubemap;
   Played played(project);
   for (const int width : {4, 7}) {
     played.player.render(frame_of(0, width));

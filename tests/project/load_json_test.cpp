@@ -274,7 +274,8 @@ TEST_F(LoadJson, GivesAnEmptyChannelTheSamplerOfWhatIsMissing) {
   EXPECT_NE(head.find("uniform sampler3D iChannel1;"), std::string::npos);
   EXPECT_NE(head.find("uniform samplerCube iChannel2;"), std::string::npos);
   EXPECT_NE(head.find("uniform sampler2D iChannel3;"), std::string::npos);
-  EXPECT_EQ(project.passes[0].inputs[2].kind, InputKind::undrawn_cubemap);
+  EXPECT_EQ(project.passes[0].inputs[2].kind, InputKind::undrawn);
+  EXPECT_EQ(project.passes[0].inputs[2].undrawn, PassKind::cubemap);
   for (const int i : {0, 1, 3}) EXPECT_EQ(project.passes[0].inputs[i].kind, InputKind::none);
 }
 
