@@ -70,11 +70,7 @@ void add_check(CLI::App& app) {
   options->schedule.width = 64;
   options->schedule.height = 36;
   options->frames = 2;
-  add_project_options(*command, *options);
-  add_frame_options(*command, *options);
-  add_script_options(*command, *options);
-  add_timeout_option(*command, *options);
-  add_json_option(*command, *options);
+  add_options(*command, Command::check, *options);
   command->callback([options] { run_check(*options); });
 }
 

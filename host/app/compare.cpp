@@ -89,7 +89,7 @@ nlohmann::json to_json(const Project& project, const std::vector<PassDifference>
 void run_compare(const CompareOptions& options) {
   if (options.players.size() != 2)
     throw Error(ExitStatus::usage, "compare needs --on twice, once for each of the two players");
-  for (const DeviceChoice& player : options.players) refuse_for_gl(options, player);
+  for (const DeviceChoice& player : options.players) refuse_for_player(options, player);
   const Schedule& schedule = options.schedule;
   const Project project = load(options);
   std::set<std::string> told;
@@ -160,15 +160,7 @@ void add_compare(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("compare", "play the same frames on two players and say how far they are apart");
   const auto options = std::make_shared<CompareOptions>();
-  add_project_options(*command, *options);
-  add_init_option(*command, *options);
-  add_precise_option(*command, *options);
-  add_frame_options(*command, *options);
-  add_script_options(*command, *options);
-  add_pass_option(*command, *options);
-  add_tile_option(*command, *options);
-  add_timeout_option(*command, *options);
-  add_json_option(*command, *options);
+  add_options(*command, Command::compare, *options);
   add_repeated(
       *command, "--on", [options](const std::string& word) { options->players.push_back(read_device(word)); },
       "a player, as render takes it; give it twice")

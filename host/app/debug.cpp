@@ -103,12 +103,7 @@ void add_debug(CLI::App& app, const std::vector<std::string>& arguments) {
       app.add_subcommand("debug", "stop gdb in the GLSL at one pixel: its lines, its names, its values");
   const auto options = std::make_shared<DebugOptions>();
   options->on = read_twin("cpu");
-  add_project_options(*command, *options);
-  add_init_option(*command, *options);
-  add_precise_option(*command, *options);
-  add_frame_options(*command, *options);
-  add_script_options(*command, *options);
-  add_pass_option(*command, *options);
+  add_options(*command, Command::debug, *options);
   add_value(*command, "--pixel", options->pixel, read_pixel, "X,Y: the pixel to stop at, from the lower left")
       ->required();
   add_value(*command, "--on", options->on, read_twin, "cpu, or cpu/double", "cpu");

@@ -73,10 +73,11 @@ void export_project(const ExportOptions& options) {
 }
 
 // What plays the export has its own sound, and its own entry points where it gets the user's text.
-void refuse_without_effect(const CLI::App& command, Form to) {
-  if (to == Form::html) return;
-  refuse(command, {"--mute", "--vscode-quirks"}, "is for --to html only");
-  if (to != Form::cpp) refuse(command, {"--init", "--vr"}, "is for --to html and --to cpp only");
+void refuse_without_effect(const ExportOptions& options) {
+  if (options.to == Form::cpp) refuse(options, NoEffect::on_cpp_export, "has no effect on --to cpp");
+  if (options.to == Form::tabs || options.to == Form::json)
+    refuse(options, NoEffect::on_site_export,
+           "has no effect on what shadertoy.com takes (--to tabs, --to json)");
 }
 
 }  // namespace
@@ -84,8 +85,7 @@ void refuse_without_effect(const CLI::App& command, Form to) {
 void add_export(CLI::App& app) {
   CLI::App* command = app.add_subcommand("export", "write a shader in a form to pass on");
   const auto options = std::make_shared<ExportOptions>();
-  add_project_options(*command, *options);
-  add_init_option(*command, *options);
+  add_options(*command, Command::export_, *options);
   add_choice<Form, Form>(
       *command, "--to", options->to,
       {{"html", Form::html}, {"tabs", Form::tabs}, {"json", Form::json}, {"cpp", Form::cpp}},
@@ -97,8 +97,8 @@ void add_export(CLI::App& app) {
       ->required();
   command->add_option("-o,--output", options->output, "the file to write; for tabs and cpp a new folder")
       ->required();
-  command->callback([options, command] {
-    refuse_without_effect(*command, options->to);
+  command->callback([options] {
+    refuse_without_effect(*options);
     export_project(*options);
   });
 }

@@ -1,5 +1,6 @@
-// The options that subcommands share, as typed values, in groups: a subcommand adds the groups that it
-// honours, so that it refuses what it would ignore.
+// The options that subcommands share, as typed values. add_options() says all that there is to know of each:
+// name, help, where its value goes, which subcommands honour it, and where it would change nothing and is
+// refused.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,18 +15,29 @@
 
 namespace shadertwin::app {
 
+enum class Command { view, render, compare, sweep, check, export_, debug };
+
+// Where an option may change nothing.
+enum class NoEffect {
+  on_sound,        // render writes the Sound pass
+  on_opengl,       // the player is not the twin
+  on_site_rules,   // the project is not of the extension's dialect
+  on_files,        // the shader is no Shadertoy JSON
+  on_site_export,  // the export is what shadertoy.com takes
+  on_cpp_export,
+};
+
+// An option of a subcommand.
+struct Declared {
+  const CLI::Option* option = nullptr;
+  std::vector<NoEffect> no_effect;
+  bool changes_pixels = false;  // options_text() has it
+};
+
 struct PlayOptions {
   std::string shader;
-  std::vector<Define> defines;
-  std::optional<unsigned> seed;
-  bool vr = false;
-  std::string media;
-  std::optional<Dialect> dialect;
-  bool mute = false;
-  bool vscode_quirks = false;
+  LoadOptions load;
   bool quiet = false;
-  Undefined init = Undefined::zero;
-  bool precise = false;
   Schedule schedule;
   int frames = 1;
   std::string pass;
@@ -33,41 +45,32 @@ struct PlayOptions {
   std::optional<Region> tile;
   double timeout = 0.0;  // seconds; 0: never
   std::string json;
+  std::vector<Declared> declared;
 };
 
-// SHADER and what changes how it is loaded, for every subcommand; --quiet too.
-void add_project_options(CLI::App& command, PlayOptions& options);
-void add_init_option(CLI::App& command, PlayOptions& options);
-void add_precise_option(CLI::App& command, PlayOptions& options);
-void add_size_option(CLI::App& command, PlayOptions& options);
-// What time and date it is in a frame.
-void add_clock_options(CLI::App& command, PlayOptions& options);
-// Both: size and time of the frames.
-void add_frame_options(CLI::App& command, PlayOptions& options);
-// How many frames, with what mouse and keys.
-void add_script_options(CLI::App& command, PlayOptions& options);
-void add_pass_option(CLI::App& command, PlayOptions& options);
-void add_on_option(CLI::App& command, PlayOptions& options);
-void add_timeout_option(CLI::App& command, PlayOptions& options);
-void add_tile_option(CLI::App& command, PlayOptions& options);
-void add_json_option(CLI::App& command, PlayOptions& options);
+// Gives a subcommand its options. `options` has to live as long as `app`; what it holds is the default.
+void add_options(CLI::App& app, Command command, PlayOptions& options);
 
-// Throws Error(usage), "NAME WHY", if one of the options was given.
+// Throws Error(usage), "NAME WHY", if an option was given that has no effect there.
+void refuse(const PlayOptions& options, NoEffect where, const std::string& why);
+// The same for options by name, as they are a subcommand's own.
 void refuse(const CLI::App& command, std::initializer_list<const char*> names, const std::string& why);
 // Throws Error(usage) if there is an option that only the twin has and a player of OpenGL that would ignore
 // it.
-void refuse_for_gl(const PlayOptions& options, const DeviceChoice& on);
-// Throws Error(usage) for an option that has no effect on the loaded project.
-void refuse_for_project(const PlayOptions& options, const Project& project);
+void refuse_for_player(const PlayOptions& options, const DeviceChoice& on);
 
-LoadOptions make_load_options(const PlayOptions& options);
+// The options that change a pixel, as they were given, to be typed again behind a command that looks into a
+// frame; but for those of the frame itself, which view::commands_for_pixel() says.
+std::string options_text(const PlayOptions& options);
+
 // Index of the pass that --pass names, or of the last one. Throws Error(usage) if there is none of that name.
 int chosen_pass(const Project& project, const PlayOptions& options);
 
 // Of loading the files, or also of what stands in them, which `check` tells as findings.
 enum class Warnings { of_loading, all };
 
-// Loads the project and prints its warnings unless --quiet.
+// Loads the project and prints its warnings unless --quiet. Throws Error(usage) for an option that has no
+// effect on it.
 Project load(const PlayOptions& options, Warnings warnings = Warnings::all);
 
 }  // namespace shadertwin::app

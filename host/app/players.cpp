@@ -33,7 +33,7 @@ std::unique_ptr<Player> open_twin(const DeviceChoice& on, const Project& project
 
 std::unique_ptr<Player> open_player(const DeviceChoice& on, const Project& project,
                                     const PlayOptions& options, std::set<std::string>* told, Timers timers) {
-  refuse_for_gl(options, on);
+  refuse_for_player(options, on);
   auto player = on.is_twin() ? open_twin(on, project, options) : open_gl(on, project, timers);
   if (!options.quiet)
     for (const std::string& warning : player->warnings())

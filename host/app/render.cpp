@@ -156,13 +156,13 @@ void render(const RenderOptions& options) {
 }
 
 void refuse_without_effect(const CLI::App& command, const RenderOptions& options) {
-  refuse_for_gl(options, options.on);
+  refuse_for_player(options, options.on);
   const OutputKind kind = output_kind(options.output.name);
-  if (kind == OutputKind::sound)
-    return refuse(command,
-                  {"--frames", "--size", "--fps", "--mouse", "--keys", "--pass", "--tile", "--vr", "--mute",
-                   "--precise", "--crf", "--chroma"},
-                  "has no effect on the Sound pass: " + options.output.name);
+  if (kind == OutputKind::sound) {
+    const std::string why = "has no effect on the Sound pass: " + options.output.name;
+    refuse(options, NoEffect::on_sound, why);
+    return refuse(command, {"--crf", "--chroma"}, why);
+  }
   if (kind == OutputKind::picture)
     refuse(command, {"--duration"}, "is for videos, numbered pictures and sounds: " + options.output.name);
   if (kind != OutputKind::video)
@@ -183,16 +183,7 @@ void add_render(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "render", "play a shader without a window and write the picture, the video or the sound");
   const auto options = std::make_shared<RenderOptions>();
-  add_project_options(*command, *options);
-  add_init_option(*command, *options);
-  add_precise_option(*command, *options);
-  add_frame_options(*command, *options);
-  add_script_options(*command, *options);
-  add_pass_option(*command, *options);
-  add_on_option(*command, *options);
-  add_tile_option(*command, *options);
-  add_timeout_option(*command, *options);
-  add_json_option(*command, *options);
+  add_options(*command, Command::render, *options);
   command->add_option("-o,--output", options->output.name, "what to write: " + output_help())->required();
   command
       ->add_option("--crf", options->output.crf,

@@ -60,23 +60,17 @@ std::string first_line(const std::string& text) {
 
 void run_sweep(SweepOptions& options) {
   // Knobs are looked for in the text as it is.
-  PlayOptions plain = options;
-  std::erase_if(plain.defines, [&](const Define& define) {
-    return std::any_of(options.axes.begin(), options.axes.end(),
-                       [&](const Axis& a) { return a.name == define.first; });
-  });
-  const Project project = load(plain);
+  const Project project = load(options);
   chosen_pass(project, options);
   for (const Axis& axis : options.axes)
     if (axis.kind == Axis::Kind::define) need_knob(project, axis.name);
   for (const Define& define : options.reference_defines) need_knob(project, define.first);
-  const bool seeded = mentions(project, "SEED");
 
   const Point base = base_point(options, project);
   const std::vector<Point> points = options.one_at_a_time ? sweep::one_at_a_time(options.axes, base)
                                                           : sweep::all_combinations(options.axes);
   sweep::RunLog log(log_file(options));
-  SweepPlayer player(options, seeded);
+  SweepPlayer player(options, project);
   sweep::Report report{
       .axes = options.axes, .results = {}, .devices = {}, .has_reference = options.has_reference()};
   for (const Point& point : points)
@@ -212,7 +206,7 @@ void check_options(SweepOptions& options) {
     throw Error(ExitStatus::usage, "a sweep of nothing: give -D NAME=A,B or another axis");
   for (const Axis& axis : options.axes)
     if (axis.kind == Axis::Kind::on)
-      for (const std::string& value : axis.values) refuse_for_gl(options, read_device(value));
+      for (const std::string& value : axis.values) refuse_for_player(options, read_device(value));
   if (!options.reference_file.empty() &&
       (options.reference_frames.has_value() || options.reference_on.has_value() ||
        !options.reference_defines.empty()))
@@ -242,8 +236,7 @@ void add_sweep(CLI::App& app) {
       "sweep",
       "play a shader with many settings and measure what each costs and how far it is from the truth");
   const auto options = std::make_shared<SweepOptions>();
-  add_project_options(*command, *options);
-  command->remove_option(command->get_option("--define"));
+  add_options(*command, Command::sweep, *options);
   add_repeated(
       *command, "-D,--define", [options](const std::string& word) { add_define_axis(*options, word, false); },
       "NAME=A,B,C: an axis, a macro with several values; one value alone holds for all points");
@@ -260,10 +253,9 @@ void add_sweep(CLI::App& app) {
                   "off, on or both: as render has it", "off");
   command->add_flag("--one-at-a-time", options->one_at_a_time,
                     "vary one axis at a time around the shader's own values instead of all combinations");
-  add_clock_options(*command, *options);
-  add_script_options(*command, *options);
-  add_pass_option(*command, *options);
-  add_timeout_option(*command, *options);
+  add_value(*command, "--seed", options->seed, read_seed,
+            "the SEED of the reference; those of the runs follow", "0")
+      ->type_name("UINT");
   add_value(*command, "--runs", options->runs, read_frames,
             "how often each point is played; with the knob SEED, each time with two other seeds", "4")
       ->type_name("INT");
@@ -293,7 +285,6 @@ void add_sweep(CLI::App& app) {
       "write a line for each point into this .csv; single runs go into a .runs.csv beside it, from which "
       "an interrupted sweep goes on");
   command->add_option("--plot", options->plot, "plot error over time into this .svg or .png, by gnuplot");
-  add_json_option(*command, *options);
   command->callback([options] {
     check_options(*options);
     run_sweep(*options);

@@ -11,6 +11,7 @@
 #include "host/compare/errors.h"
 #include "host/compare/flip.h"
 #include "host/gl/context.h"
+#include "host/text/knobs.h"
 #include "host/text/load.h"
 
 namespace shadertwin::app {
@@ -23,6 +24,10 @@ namespace {
 
 // A median wants a few; what a fast shader draws on top costs little.
 constexpr std::size_t least_timed_frames = 5;
+
+// The macro SEED is this uniform: floats hold whole numbers to 2^24.
+constexpr const char* seed_uniform = "iSweepSeed";
+constexpr unsigned largest_seed = 1U << 24;
 
 // Of all threads of this process.
 double processor_milliseconds() {
@@ -47,13 +52,19 @@ std::string file_key(const fs::path& file) {
 
 }  // namespace
 
-PlayOptions options_of(const SweepOptions& options, const sweep::Point& point) {
-  PlayOptions result = options;
+SweepPlayer::SweepPlayer(const SweepOptions& options, const Project& project)
+    : options_(options),
+      seeded_(mentions(project, "SEED")),
+      seed_is_uniform_(seeded_ && !decides_conditions(project, "SEED")) {}
+
+PlayOptions SweepPlayer::options_of(const sweep::Point& point) const {
+  PlayOptions result = options_;
+  PlaySettings& settings = result.load.settings;
   for (std::size_t i = 0; i < point.size(); ++i) {
-    const Axis& axis = options.axes[i];
+    const Axis& axis = options_.axes[i];
     switch (axis.kind) {
       case Axis::Kind::define:
-        if (!point[i].empty()) result.defines.emplace_back(axis.name, point[i]);
+        if (!point[i].empty()) settings.defines.emplace_back(axis.name, point[i]);
         break;
       case Axis::Kind::on:
         result.on = read_device(point[i]);
@@ -65,10 +76,10 @@ PlayOptions options_of(const SweepOptions& options, const sweep::Point& point) {
         break;
       }
       case Axis::Kind::init:
-        result.init = point[i] == "raw" ? Undefined::raw : Undefined::zero;
+        settings.undefined = point[i] == "raw" ? Undefined::raw : Undefined::zero;
         break;
       case Axis::Kind::precise:
-        result.precise = point[i] == "on";
+        settings.precise = point[i] == "on";
         break;
     }
   }
@@ -88,12 +99,13 @@ std::vector<std::string> SweepPlayer::devices() const {
 }
 
 std::string SweepPlayer::picture_key(const PlayOptions& options, int frames) {
-  const Project project = load_project(options.shader, make_load_options(options));
+  const Project project = load_project(options.shader, options.load);
   const Schedule& s = options.schedule;
-  std::string text = options.on.text + ' ' + device(options.on) + ' ' + std::to_string(frames) + ' ' +
-                     std::to_string(s.width) + 'x' + std::to_string(s.height) + ' ' + std::to_string(s.fps) +
-                     ' ' + std::to_string(s.t0) + (options.precise ? " precise" : "") +
-                     (options.init == Undefined::raw ? " raw " : " ") + options.pass + '\n';
+  std::string text =
+      options.on.text + ' ' + device(options.on) + ' ' + std::to_string(frames) + ' ' +
+      std::to_string(options_.seed) + ' ' + std::to_string(s.width) + 'x' + std::to_string(s.height) + ' ' +
+      std::to_string(s.fps) + ' ' + std::to_string(s.t0) + (options.load.settings.precise ? " precise" : "") +
+      (options.load.settings.undefined == Undefined::raw ? " raw " : " ") + options.pass + '\n';
   for (const MouseStep& step : s.mouse)
     text += std::to_string(step.frame) + ' ' + std::to_string(step.position.x) + ' ' +
             std::to_string(step.position.y) + (step.down ? " down\n" : "\n");
@@ -108,91 +120,109 @@ std::string SweepPlayer::picture_key(const PlayOptions& options, int frames) {
   return hash_name(text);
 }
 
-SweepPlayer::Take SweepPlayer::play(const PlayOptions& options, int frames, bool on_its_way,
-                                    const Reference* reference) {
-  const Project project = load_project(options.shader, make_load_options(options));
-  PlayOptions silent = options;
-  silent.quiet = true;
-  const auto player = open_player(options.on, project, silent, nullptr, Timers::gpu);
-  const int shown = chosen_pass(project, options);
-  const int last = static_cast<int>(project.passes.size()) - 1;
+std::vector<SweepPlayer::Take> SweepPlayer::play(const PlayOptions& options,
+                                                 const std::vector<unsigned>& seeds, int frames,
+                                                 bool on_its_way, const Reference* reference) {
+  PlayOptions own = options;
+  own.quiet = true;
+  const auto open = [&](Project& project) {
+    project = load_project(own.shader, own.load);
+    return open_player(own.on, project, own, nullptr, Timers::gpu);
+  };
+  Project project;
+  std::unique_ptr<Player> player;
+  if (seed_is_uniform_) {
+    own.load.settings.defines.emplace_back("SEED", seed_uniform);
+    own.load.uniforms.push_back({.name = seed_uniform, .type = UniformType::int1});
+    player = open(project);
+  }
   const double target =
       options_.targets.empty() ? 0.0 : *std::min_element(options_.targets.begin(), options_.targets.end());
-  FixedClock clock(options.schedule, host_rules(project));
-  Take take;
-  // The first frame is left out: drivers go on compiling in it.
-  const auto draw = [&](bool timed) {
-    const double start = processor_milliseconds();
-    player->render(clock.next());
-    player->finish();
-    if (!timed) return;
-    const double processor = processor_milliseconds() - start;
-    double gpu = 0.0;
-    for (const double pass : player->milliseconds()) gpu += std::max(pass, 0.0);
-    take.gpu = gpu > 0.0;
-    take.milliseconds.push_back(take.gpu ? gpu : processor);
-  };
-  int end = frames;
-  for (int i = 1; i <= end; ++i) {
-    draw(i > 1);
-    const bool power_of_two = (i & (i - 1)) == 0;
-    if (i != end && !(on_its_way && power_of_two)) continue;
-    take.frames.push_back(i);
-    take.shown.push_back(player->read(shown));
-    if (i == end && reference != nullptr && options_.max_frames.value_or(0) > end &&
-        picture_error(take.shown.back(), reference->shown.front()).relative_mse > target)
-      end = std::min(*options_.max_frames, 2 * end);
+  std::vector<Take> takes;
+  for (const unsigned seed : seeds) {
+    if (!seed_is_uniform_) {
+      own = options;
+      own.quiet = true;
+      if (seeded_) own.load.settings.defines.emplace_back("SEED", std::to_string(seed));
+      player = open(project);
+    }
+    std::vector<std::array<float, 4>> uniforms;
+    for (const CustomUniform& uniform : project.uniforms) uniforms.push_back(uniform.value);
+    if (seed_is_uniform_) uniforms.back() = {static_cast<float>(seed % largest_seed), 0.0F, 0.0F, 0.0F};
+    const int shown = chosen_pass(project, options);
+    const int last = static_cast<int>(project.passes.size()) - 1;
+    FixedClock clock(options.schedule, host_rules(project));
+    Take& take = takes.emplace_back();
+    // The first frame is left out: drivers go on compiling in it.
+    const auto draw = [&](bool timed) {
+      Frame frame = clock.next();
+      frame.uniforms = uniforms;
+      const double start = processor_milliseconds();
+      player->render(frame);
+      player->finish();
+      if (!timed) return;
+      const double processor = processor_milliseconds() - start;
+      double gpu = 0.0;
+      for (const double pass : player->milliseconds()) gpu += std::max(pass, 0.0);
+      take.gpu = gpu > 0.0;
+      take.milliseconds.push_back(take.gpu ? gpu : processor);
+    };
+    int end = frames;
+    for (int i = 1; i <= end; ++i) {
+      draw(i > 1);
+      const bool power_of_two = (i & (i - 1)) == 0;
+      if (i != end && !(on_its_way && power_of_two)) continue;
+      take.frames.push_back(i);
+      take.shown.push_back(player->read(shown));
+      if (i == end && reference != nullptr && options_.max_frames.value_or(0) > end &&
+          picture_error(take.shown.back(), reference->shown.front()).relative_mse > target)
+        end = std::min(*options_.max_frames, 2 * end);
+    }
+    if (shown != last) take.last = player->read(last);
+    while (take.milliseconds.size() < least_timed_frames) draw(true);
   }
-  if (shown != last) take.last = player->read(last);
-  while (take.milliseconds.size() < least_timed_frames) draw(true);
-  return take;
-}
-
-PlayOptions SweepPlayer::with_seed(PlayOptions options, unsigned number) {
-  options.seed = options.seed.value_or(0) + number;
-  return options;
+  return takes;
 }
 
 Reference SweepPlayer::reference(const sweep::Point& point) {
   if (!options_.reference_file.empty())
     return {hash_name(file_key(options_.reference_file)), {read_image(options_.reference_file)}};
-  PlayOptions options = options_of(options_, point);
+  PlayOptions options = options_of(point);
+  Defines& defines = options.load.settings.defines;
   for (const Define& define : options_.reference_defines) {
-    std::erase_if(options.defines, [&](const Define& d) { return d.first == define.first; });
-    options.defines.push_back(define);
+    std::erase_if(defines, [&](const Define& d) { return d.first == define.first; });
+    defines.push_back(define);
   }
   if (options_.reference_on.has_value()) options.on = *options_.reference_on;
   const int frames = options_.reference_frames.value_or(options.frames);
   Reference reference{picture_key(options, frames), {}};
+  const std::vector<std::string> names = seeded_ ? std::vector<std::string>{"reference-a", "reference-b"}
+                                                 : std::vector<std::string>{"reference"};
   const auto kept = [&](const std::string& what) {
     return fs::path(options_.output).replace_extension(what + '-' + reference.key.substr(0, 8) + ".exr");
   };
-  const auto keep = [&](const Image& image, const std::string& what) {
-    if (!options_.output.empty()) write_image(image, kept(what));
-  };
-  const std::vector<std::string> names = seeded_ ? std::vector<std::string>{"reference-a", "reference-b"}
-                                                 : std::vector<std::string>{"reference"};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!options_.output.empty() && fs::exists(kept(names[i]))) {
-      reference.shown.push_back(read_image(kept(names[i])));
-      if (fs::exists(kept("picture"))) reference.picture = read_image(kept("picture"));
-      continue;
-    }
-    // Far from the seeds of the runs.
-    Take take = play(seeded_ ? with_seed(options, static_cast<unsigned>(i) * 1000000U) : options, frames,
-                     false, nullptr);
-    if (i == 0 && take.last.has_value()) {
-      reference.picture = std::move(take.last);
-      keep(*reference.picture, "picture");
-    }
-    reference.shown.push_back(std::move(take.shown.back()));
-    keep(reference.shown.back(), names[i]);
+  const bool keep = !options_.output.empty();
+  // The last name is written last.
+  if (keep && fs::exists(kept(names.back()))) {
+    for (const std::string& name : names) reference.shown.push_back(read_image(kept(name)));
+    if (fs::exists(kept("picture"))) reference.picture = read_image(kept("picture"));
+    return reference;
+  }
+  // Far from the seeds of the runs.
+  std::vector<unsigned> seeds = {options_.seed};
+  if (seeded_) seeds.push_back(options_.seed + 1000000U);
+  std::vector<Take> takes = play(options, seeds, frames, false, nullptr);
+  reference.picture = std::move(takes.front().last);
+  if (keep && reference.picture.has_value()) write_image(*reference.picture, kept("picture"));
+  for (std::size_t i = 0; i < takes.size(); ++i) {
+    reference.shown.push_back(std::move(takes[i].shown.back()));
+    if (keep) write_image(reference.shown.back(), kept(names[i]));
   }
   return reference;
 }
 
 std::string SweepPlayer::key(const sweep::Point& point, const Reference* reference) {
-  const PlayOptions options = options_of(options_, point);
+  const PlayOptions options = options_of(point);
   std::string text = picture_key(options, options.frames);
   text += options_.accumulates ? " on its way" : "";
   if (options_.max_frames.has_value()) text += " up to " + std::to_string(*options_.max_frames);
@@ -201,14 +231,15 @@ std::string SweepPlayer::key(const sweep::Point& point, const Reference* referen
 }
 
 std::vector<Measurement> SweepPlayer::run(const sweep::Point& point, int number, const Reference* reference) {
-  const PlayOptions options = options_of(options_, point);
-  std::vector<Take> takes;
-  for (unsigned i = 0; i < (seeded_ ? 2U : 1U); ++i) {
-    const PlayOptions own =
-        seeded_ ? with_seed(options, 1U + 2U * static_cast<unsigned>(number) + i) : options;
-    takes.push_back(play(own, options.frames, options_.accumulates && reference != nullptr, reference));
-    const Image& drawn = takes.back().shown.back();
-    if (reference == nullptr) continue;
+  const PlayOptions options = options_of(point);
+  // The reference has the seed that was asked for.
+  const unsigned seed = options_.seed + 1U + 2U * static_cast<unsigned>(number);
+  std::vector<unsigned> seeds = {seed};
+  if (seeded_) seeds.push_back(seed + 1U);
+  const std::vector<Take> takes =
+      play(options, seeds, options.frames, options_.accumulates && reference != nullptr, reference);
+  const Image& drawn = takes.front().shown.back();
+  if (reference != nullptr) {
     const Image& right = reference->shown.front();
     if (drawn.width != right.width || drawn.height != right.height)
       throw Error(ExitStatus::usage, "the reference has " + std::to_string(right.width) + "x" +

@@ -18,6 +18,7 @@ struct SweepOptions : PlayOptions {
   std::vector<sweep::Axis> axes;
   bool one_at_a_time = false;
   int runs = 4;
+  unsigned seed = 0;
   // The picture that is right: a file, or how to draw it.
   std::string reference_file;
   std::vector<Define> reference_defines;
@@ -36,9 +37,6 @@ struct SweepOptions : PlayOptions {
   }
 };
 
-// The options with which a point is played.
-PlayOptions options_of(const SweepOptions& options, const sweep::Point& point);
-
 // What a point is compared with.
 struct Reference {
   std::string key;
@@ -48,8 +46,9 @@ struct Reference {
 
 class SweepPlayer {
  public:
-  // `seeded`: the shader has the knob SEED, so that every run has random numbers of its own.
-  SweepPlayer(const SweepOptions& options, bool seeded) : options_(options), seeded_(seeded) {}
+  // Where the shader has the knob SEED, every run has random numbers of its own. `project`: the shader as it
+  // is.
+  SweepPlayer(const SweepOptions& options, const Project& project);
 
   // Reads the file, or plays `point`, or takes what an earlier sweep has left beside the output. Throws as a
   // player does.
@@ -70,10 +69,11 @@ class SweepPlayer {
     bool gpu = false;  // measured them
   };
 
-  // Goes on beyond `frames` if the target asks for it, seen from `reference`.
-  Take play(const PlayOptions& options, int frames, bool on_its_way, const Reference* reference);
-  // The picture with these seeds' numbers, where there are seeds.
-  static PlayOptions with_seed(PlayOptions options, unsigned number);
+  PlayOptions options_of(const sweep::Point& point) const;
+  // Plays with seed after seed, each from frame 0. Goes on beyond `frames` if the target asks for it, seen
+  // from `reference`.
+  std::vector<Take> play(const PlayOptions& options, const std::vector<unsigned>& seeds, int frames,
+                         bool on_its_way, const Reference* reference);
   // The key of what these options draw.
   std::string picture_key(const PlayOptions& options, int frames);
   // What a device is, beside its name.
@@ -81,6 +81,8 @@ class SweepPlayer {
 
   const SweepOptions& options_;
   bool seeded_;
+  // The seed is a uniform, so that a shader is compiled once; where it can't be, a macro.
+  bool seed_is_uniform_;
   std::map<std::string, std::string> devices_;
 };
 

@@ -32,6 +32,11 @@ constexpr Names<MagFilter, 2> mag_names = {{{MagFilter::nearest, "NEAREST"}, {Ma
 constexpr Names<Wrap, 3> wrap_names = {
     {{Wrap::repeat, "REPEAT"}, {Wrap::clamp, "CLAMP_TO_EDGE"}, {Wrap::mirror, "MIRRORED_REPEAT"}}};
 
+// In the order of their enums.
+constexpr std::array<const char*, 6> source_names = {"nothing", "still",   "moving",
+                                                     "pass",    "undrawn", "keyboard"};
+constexpr std::array<const char*, 3> shape_names = {"flat", "cube", "volume"};
+
 const char* name_of(const auto& names, auto value) {
   return std::find_if(names.begin(), names.end(), [=](const auto& row) { return row.first == value; })
       ->second;
@@ -64,17 +69,19 @@ class Describer {
       if (const Input input = bound_input(pass, i); input.wanted() != InputKind::none)
         inputs.push_back(describe(input, static_cast<int>(i)));
     return {{"name", pass.name},
-            {"kind", traits(pass).name},
+            {"faces", traits(pass).faces},
+            {"side", traits(pass).side},
+            {"every_frame", traits(pass).every_frame},
             {"targets", targets},
             {"keyboard", pass.keyboard},
-            {"vertex", pass.vertex ? describe(*pass.vertex, Target::vertex) : Json()},
-            {"source", describe(pass.source, Target::fragment)},
+            {"vertex", pass.vertex ? describe(*pass.vertex, ShaderStage::vertex) : Json()},
+            {"source", describe(pass.source, ShaderStage::fragment)},
             {"inputs", inputs}};
   }
 
-  static Json describe(const PassSource& source, Target target) {
+  static Json describe(const PassSource& source, ShaderStage stage) {
     throw_if_refused(source);  // the text has no directives any more that a browser could refuse
-    return {{"text", render(source, target)},
+    return {{"text", render(source, stage)},
             {"first_line", first_body_line(source)},
             {"lines", runs(source.lines)}};
   }
@@ -96,7 +103,8 @@ class Describer {
   Json describe(const Input& input, int channel) {
     Texture texture;
     Json media = Json::array();
-    if (info(input.kind).source == InputSource::files) {
+    const InputKindInfo& kind = info(input.wanted());
+    if (info(input.kind).source == InputSource::still) {
       texture = load_texture(input);
       media = add_picture(input, texture);
     } else if (!input.files.empty()) {
@@ -106,8 +114,11 @@ class Describer {
         channel_size(project_, input, texture.width == 0 ? nullptr : &texture, glm::ivec2(0));
     const Sampler& sampler = input.sampler;
     return {{"channel", channel},
-            {"kind", info(input.kind).name},
-            {"missing", info(input.missing).name},
+            {"kind", kind.name},
+            {"missing", input.kind == InputKind::none},
+            {"source", source_names[static_cast<std::size_t>(kind.source)]},
+            {"shape", shape_names[static_cast<std::size_t>(shape_of(project_, input))]},
+            {"audio", kind.is_audio},
             {"pass", input.pass},
             {"media", media},
             {"size", {size.x, size.y, size.z}},
@@ -121,10 +132,10 @@ class Describer {
 
   // Files that a browser reads as we do go in as they are: it decodes 8 bits a channel.
   Json add_picture(const Input& input, const Texture& texture) {
-    const bool as_files = texture.format == Texture::Format::rgba8 && !texture.is_volume &&
-                          std::all_of(input.files.begin(), input.files.end(), [](const auto& file) {
-                            return media_type(file).starts_with("image/");
-                          });
+    const bool as_files =
+        texture.format == Texture::Format::rgba8 && !texture.is_volume && !input.files.empty() &&
+        std::all_of(input.files.begin(), input.files.end(),
+                    [](const auto& file) { return media_type(file).starts_with("image/"); });
     Json indices = Json::array();
     if (as_files) {
       for (const auto& file : input.files)
@@ -135,8 +146,9 @@ class Describer {
     for (int face = 0; face < texture.faces; ++face) {
       const std::span<const std::byte> texels(
           texture.data.data() + face_bytes * static_cast<std::size_t>(face), face_bytes);
-      const std::string key =
-          input.files.front().string() + (input.sampler.vflip ? " flipped " : " ") + std::to_string(face);
+      std::string key(info(input.kind).name);
+      for (const auto& file : input.files) key += ' ' + file.string();
+      key += (input.sampler.vflip ? " flipped " : " ") + std::to_string(face);
       indices.push_back(add(key, [&] {
         return Json{{"width", texture.width},
                     {"height", texture.height},

@@ -35,8 +35,7 @@ class TabsWriter {
   void write() {
     const Json document = Json::parse(write_json(project_));
     for (const Json& tab : document.at("Shader").at("renderpass")) {
-      const std::string type = tab.at("type");
-      names_.push_back(type == "common" ? "Common" : tab_name(tab, type));
+      names_.push_back(tab.at("name"));
       output_.write(file_stem(names_.back()) + ".glsl", tab.at("code"));
     }
     for (const Pass& pass : project_.passes) bind(pass);
@@ -46,13 +45,6 @@ class TabsWriter {
   }
 
  private:
-  static std::string tab_name(const Json& tab, const std::string& type) {
-    if (type == "image") return "Image";
-    if (type == "sound") return "Sound";
-    if (type == "cubemap") return "Cubemap A";
-    return tab.at("name");
-  }
-
   // What write_json called the pass. After the image and Common the others stand there in our order.
   std::string name_of(const Pass& pass) const {
     const auto index = static_cast<std::size_t>(&pass - project_.passes.data());
@@ -113,6 +105,10 @@ class TabsWriter {
     if (kind.source == InputSource::pass) {
       value = name_of(project_.passes[static_cast<std::size_t>(input.pass)]);
       return value;
+    }
+    if (kind.source == InputSource::undrawn) {
+      value = traits(input.undrawn).name;
+      return name;
     }
     if (kind.files == 0) {
       value = true;

@@ -6,6 +6,7 @@
 #include "host/base/error.h"
 #include "host/gl/driver_faults.h"
 #include "host/gl/textures.h"
+#include "host/project/kinds.h"
 #include "host/text/render.h"
 
 namespace shadertwin::gl {
@@ -26,7 +27,7 @@ GlDevice::GlDevice(std::unique_ptr<Context> context, const Project& project, con
   // An error in any pass keeps shadertoy.com from playing any other, the sound among them.
   for (std::size_t i = 0; i < passes_.size(); ++i) {
     const Pass& pass = this->project().passes[i];
-    compile(i, pass.kind == PassKind::sound ? Dispatch::fragment : options.dispatch,
+    compile(i, traits(pass).every_frame ? options.dispatch : Dispatch::fragment,
             options.sources(this->project(), pass, [this](Fault fault) { return shows_fault(gl_, fault); }));
   }
   if (options.timers) timers_.emplace(*context_, passes_.size());
@@ -140,7 +141,7 @@ void GlDevice::draw(const DrawCall& call) {
   const CompiledPass& pass = passes_[call.pass];
   const Pass& source = project().passes[call.pass];
   const Surface& target = surface(call.target);
-  const bool timed = timers_ && !call.warm_up && source.kind != PassKind::sound;
+  const bool timed = timers_ && !call.warm_up && traits(source).every_frame;
   if (timed) timers_->begin(call.pass);
   gl_.UseProgram(pass.program->name());
   pass.uniforms->set(call.uniforms, call.custom_uniforms);

@@ -82,7 +82,7 @@ Program Program::fragment(const Functions& gl, const Project& project, const Pas
   vertex_source.tail = covering_triangle;
   if (pass.vertex.has_value()) vertex_source = *pass.vertex;
   vertex_source.precise = source.precise;  // both stages of a program have to name the same version
-  const Shader vertex(gl, GL_VERTEX_SHADER, render(vertex_source, Target::vertex));
+  const Shader vertex(gl, GL_VERTEX_SHADER, render(vertex_source, ShaderStage::vertex));
   if (pass.vertex.has_value())
     compile(vertex, project, pass, *pass.vertex);
   else if (!vertex.compiled())
@@ -99,7 +99,7 @@ Program Program::fragment(const Functions& gl, const Project& project, const Pas
 
 Program Program::compute(const Functions& gl, const Project& project, const Pass& pass,
                          const PassSource& source) {
-  const Shader shader(gl, GL_COMPUTE_SHADER, render(source, Target::compute));
+  const Shader shader(gl, GL_COMPUTE_SHADER, render(source, ShaderStage::compute));
   compile(shader, project, pass, source);
   Program program(gl);
   gl.AttachShader(program.name_, shader.name());

@@ -3,20 +3,24 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <utility>
 
 #include "host/image/image.h"
 
 namespace shadertwin {
 
-enum class FileKind { exr, png, jpeg };
+// A name and a value, as OpenImageIO has them for what its writers can be told.
+using WriterSetting = std::pair<const char*, const char*>;
 
 struct PictureToWrite {
-  FileKind kind = FileKind::png;  // .exr takes floats, the others bytes
+  bool is_float = false;  // else a byte a channel
   int width = 0;
   int height = 0;
   int channels = 4;            // that are written; there are always four
   const void* rgba = nullptr;  // row 0 is the bottom row
+  std::span<const WriterSetting> settings = {};
 };
 
 struct Formats {

@@ -151,21 +151,11 @@ class CheckedStream : public OIIO::Filesystem::IOProxy {
 };
 
 OIIO::ImageSpec spec_of(const PictureToWrite& picture) {
-  const bool exr = picture.kind == FileKind::exr;
   OIIO::ImageSpec spec(picture.width, picture.height, picture.channels,
-                       exr ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
+                       picture.is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:UnassociatedAlpha", 1);
-  if (exr) {
-    spec.attribute("compression", "zip");
-    // OpenImageIO would put in the time of day; the same command shall give the same file.
-    spec.attribute("DateTime", "1970:01:01 00:00:00");
-    return spec;
-  }
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  if (picture.kind == FileKind::jpeg) {
-    spec.attribute("Compression", "jpeg:95");
-    spec.attribute("jpeg:subsampling", "4:4:4");
-  }
+  if (!picture.is_float) spec.attribute("oiio:ColorSpace", "sRGB");
+  for (const auto& [name, value] : picture.settings) spec.attribute(name, value);
   return spec;
 }
 

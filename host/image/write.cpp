@@ -20,17 +20,23 @@ std::string write_by_openimageio(const PictureToWrite& picture, const fs::path& 
 }
 
 struct ImageFormat : OutputFormat {
-  FileKind kind;
   bool is_float;  // else a byte a channel
   bool has_alpha;
   std::string (*write)(const PictureToWrite& picture, const fs::path& file);
+  std::span<const WriterSetting> settings = {};
 };
 
+constexpr std::array<WriterSetting, 2> jpeg_settings = {
+    {{"Compression", "jpeg:95"}, {"jpeg:subsampling", "4:4:4"}}};
+// OpenImageIO would put in the time of day; the same command shall give the same file.
+constexpr std::array<WriterSetting, 2> exr_settings = {
+    {{"compression", "zip"}, {"DateTime", "1970:01:01 00:00:00"}}};
+
 constexpr std::array<ImageFormat, 4> image_table = {{
-    {{".png", "8 bits, as a browser's canvas shows it"}, FileKind::png, false, true, write_png},
-    {{".jpg", ""}, FileKind::jpeg, false, false, write_by_openimageio},
-    {{".jpeg", ""}, FileKind::jpeg, false, false, write_by_openimageio},
-    {{".exr", "float32 RGBA, bit for bit"}, FileKind::exr, true, true, write_by_openimageio},
+    {{".png", "8 bits, as a browser's canvas shows it"}, false, true, write_png},
+    {{".jpg", ""}, false, false, write_by_openimageio, jpeg_settings},
+    {{".jpeg", ""}, false, false, write_by_openimageio, jpeg_settings},
+    {{".exr", "float32 RGBA, bit for bit"}, true, true, write_by_openimageio, exr_settings},
 }};
 
 std::vector<std::uint8_t> to_bytes(const Image& image) {
@@ -68,8 +74,11 @@ void write_image(const Image& image, const fs::path& file) {
   if (image.width < 1 || image.height < 1)
     throw Error(ExitStatus::file, file.string() + ": the picture is empty");
 
-  PictureToWrite picture{
-      .kind = format->kind, .width = image.width, .height = image.height, .rgba = image.rgba.data()};
+  PictureToWrite picture{.is_float = format->is_float,
+                         .width = image.width,
+                         .height = image.height,
+                         .rgba = image.rgba.data(),
+                         .settings = format->settings};
   std::vector<std::uint8_t> bytes;
   if (!format->is_float) {
     bytes = to_bytes(image);

@@ -41,17 +41,12 @@ EntryPoints find_entry_points(const std::vector<Token>& tokens) {
                              tokens[i - 1].kind == Token::Kind::identifier && !tokens[i - 1].is("return");
     if (!is_function) continue;
     if (token.is("main") && defines_main(tokens, i)) found.main = true;
-    if (token.is("mainImage")) {
-      found.image = true;
-      if (i + 2 < tokens.size() && tokens[i + 2].is("inout")) found.image_is_inout = true;
-    }
-    if (token.is("mainCubemap")) found.cubemap = true;
-    if (token.is("mainVR")) found.vr = true;
-    if (token.is("mainSound")) {
-      found.sound = true;
-      // The site calls the new form, also where the old one stands beside it.
-      if (tokens[i - 1].is("vec2")) (has_two_parameters(tokens, i) ? of_sample : of_time) = true;
-    }
+    if (token.text.size() > 4 && token.text.starts_with("main")) found.functions.emplace(token.text);
+    if (token.is("mainImage") && i + 2 < tokens.size() && tokens[i + 2].is("inout"))
+      found.image_is_inout = true;
+    // The site calls the new form, also where the old one stands beside it.
+    if (token.is("mainSound") && tokens[i - 1].is("vec2"))
+      (has_two_parameters(tokens, i) ? of_sample : of_time) = true;
   }
   found.sound_of_time = of_time && !of_sample;
   return found;

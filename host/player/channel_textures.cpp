@@ -6,8 +6,8 @@ namespace shadertwin {
 
 ChannelTexture ChannelTextures::load(const Input& input) {
   switch (info(input.kind).source) {
-    case InputSource::files:
-      return file(input);
+    case InputSource::still:
+      return still(input);
     case InputSource::keyboard:
       return keyboard();
     default:
@@ -17,17 +17,17 @@ ChannelTexture ChannelTextures::load(const Input& input) {
   return {.texture = empty(input)};
 }
 
-ChannelTexture ChannelTextures::file(const Input& input) {
+ChannelTexture ChannelTextures::still(const Input& input) {
   const bool mipmaps = input.sampler.uses_mipmaps();
   std::string key = std::to_string(static_cast<int>(input.kind)) + (mipmaps ? " mipmaps" : "") +
                     (input.sampler.vflip ? " flipped" : "") + (input.red_only ? " red" : "");
   for (const auto& path : input.files) key += '\n' + path.string();
-  const auto found = files_.find(key);
-  if (found != files_.end()) return found->second;
+  const auto found = still_.find(key);
+  if (found != still_.end()) return found->second;
   Texture texels = load_texture(input);
   const glm::vec3 size = channel_size(project_, input, &texels, {0, 0});
   const ChannelTexture loaded{device_.make_texture(std::move(texels), mipmaps), size};
-  return files_.emplace(std::move(key), loaded).first->second;
+  return still_.emplace(std::move(key), loaded).first->second;
 }
 
 ChannelTexture ChannelTextures::moving(const Input& input, const MovingInput& source) {
@@ -39,7 +39,7 @@ ChannelTexture ChannelTextures::moving(const Input& input, const MovingInput& so
 
 // One texel (0, 0, 0, 1), as browsers have it.
 TextureId ChannelTextures::empty(const Input& input) {
-  const SamplerShape shape = info(input.missing).shape;
+  const SamplerShape shape = shape_of(project_, input);
   const auto alpha = static_cast<std::byte>(rules_.empty_alpha);
   const auto [entry, is_new] = empty_.try_emplace(shape);
   if (!is_new) return entry->second;
@@ -54,9 +54,9 @@ TextureId ChannelTextures::empty(const Input& input) {
 }
 
 TextureId ChannelTextures::undrawn(const Input& input, glm::ivec2 frame_size) {
-  const auto [entry, is_new] = undrawn_.try_emplace(input.kind);
+  const auto [entry, is_new] = undrawn_.try_emplace(input.undrawn);
   Undrawn& undrawn = entry->second;
-  if (is_new) undrawn.texture = device_.make_target(info(input.kind).shape == SamplerShape::cube, false);
+  if (is_new) undrawn.texture = device_.make_target(shape_of(project_, input) == SamplerShape::cube, false);
   const glm::ivec2 size(channel_size(project_, input, nullptr, frame_size));
   if (undrawn.size != size) device_.resize(undrawn.texture, size, false);
   undrawn.size = size;

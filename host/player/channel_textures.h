@@ -39,7 +39,7 @@ class ChannelTextures {
   const std::vector<std::string>& warnings() const { return moving_inputs_.warnings(); }
 
  private:
-  ChannelTexture file(const Input& input);
+  ChannelTexture still(const Input& input);
   ChannelTexture moving(const Input& input, const MovingInput& source);
   TextureId empty(const Input& input);
 
@@ -52,10 +52,10 @@ class ChannelTextures {
   const Project& project_;
   HostRules rules_;
   MovingInputs moving_inputs_;
-  std::map<std::string, ChannelTexture> files_;
+  std::map<std::string, ChannelTexture> still_;
   std::map<std::pair<const MovingInput*, bool>, TextureId> moving_;  // with and without mipmaps
   std::map<SamplerShape, TextureId> empty_;
-  std::map<InputKind, Undrawn> undrawn_;
+  std::map<PassKind, Undrawn> undrawn_;
   std::optional<TextureId> keyboard_;
 };
 

@@ -75,7 +75,7 @@ class FixedClock {
   Schedule schedule_;
   double first_time_delta_;
   Mouse mouse_;
-  Keyboard keyboard_;
+  KeyboardState keyboard_;
   FlyCamera camera_;
   int index_ = 0;
 };

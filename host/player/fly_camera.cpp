@@ -34,7 +34,7 @@ constexpr std::array<Steer, 12> steers = {{{'D', 0, 1.0},
 
 }  // namespace
 
-void FlyCamera::step(const Keyboard& keyboard, glm::dvec2 look) {
+void FlyCamera::step(const KeyboardState& keyboard, glm::dvec2 look) {
   const bool looks = look != glm::dvec2(0.0);
   std::array<double, 6> along_and_about{};
   for (const Steer& steer : steers) {

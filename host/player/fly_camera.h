@@ -15,7 +15,7 @@ namespace shadertwin {
 class FlyCamera {
  public:
   // What one frame adds. `look`: Mouse::look().
-  void step(const Keyboard& keyboard, glm::dvec2 look);
+  void step(const KeyboardState& keyboard, glm::dvec2 look);
   // From camera to world; the identity before the first step.
   glm::mat4 matrix() const;
 

@@ -47,10 +47,12 @@ Texture load_texture(const Input& input) {
 Input bound_input(const Pass& pass, std::size_t channel) {
   const Input& input = pass.inputs[channel];
   const InputKindInfo& kind = info(input.kind);
-  const bool still = kind.source == InputSource::files;
+  const bool still = kind.source == InputSource::still;
   if (traits(pass).every_frame || (still && kind.shape != SamplerShape::cube)) return input;
   Input empty;
-  if (info(input.wanted()).shape == SamplerShape::cube) empty.missing = input.wanted();
+  empty.undrawn = input.undrawn;
+  if (input.wanted() == InputKind::undrawn || info(input.wanted()).shape == SamplerShape::cube)
+    empty.missing = input.wanted();
   return empty;
 }
 
@@ -64,19 +66,16 @@ glm::vec3 channel_size(const Project& project, const Input& input, const Texture
     case InputSource::moving:
       if (kind.is_audio) return rules.sound_has_size ? glm::vec3(512, 2, 1) : glm::vec3(0.0F);
       return size_of(texture);
-    case InputSource::files:
+    case InputSource::still:
       if (kind.shape != SamplerShape::cube) return size_of(texture);
       return rules.cubemap_has_size && input.kind != InputKind::none ? glm::vec3(0.0F, 0.0F, 1.0F)
                                                                      : glm::vec3(0.0F);
-    case InputSource::pass: {
+    case InputSource::pass:
+    case InputSource::undrawn: {
       if (input.kind == InputKind::none) return glm::vec3(0.0F);
-      const int side = traits_of_source(project, input).side;
+      const int side = pass_read(project, input)->side;
       return side != 0 ? glm::vec3(side, side, 1) : glm::vec3(frame_size, 1);
     }
-    case InputSource::undrawn:
-      if (input.kind == InputKind::none) return glm::vec3(0.0F);
-      return kind.shape == SamplerShape::cube ? glm::vec3(cubemap_pass_size, cubemap_pass_size, 1)
-                                              : glm::vec3(frame_size, 1);
     case InputSource::keyboard:
       return glm::vec3(256, rules.keyboard_rows, 1);
   }
@@ -114,7 +113,7 @@ std::vector<bool> passes_with_history(const Project& project) {
         history[static_cast<std::size_t>(input.pass)] = true;
   if (rules.keeps_previous_pictures)
     for (std::size_t i = 0; i < history.size(); ++i)
-      if (traits(project.passes[i]).keeps_previous) history[i] = true;
+      if (traits(project.passes[i]).is_read) history[i] = true;
   return history;
 }
 

@@ -8,14 +8,14 @@
 
 namespace shadertwin {
 
-void Keyboard::press(int code) {
+void KeyboardState::press(int code) {
   if (code < 0 || code > 255 || cell(0, code) != 0) return;
   cell(0, code) = 255;
   cell(1, code) = 255;
   cell(2, code) = static_cast<std::uint8_t>(255 - cell(2, code));
 }
 
-void Keyboard::release(int code) {
+void KeyboardState::release(int code) {
   if (code < 0 || code > 255 || cell(0, code) == 0) return;
   cell(0, code) = 0;
   // Without this a tap between two frames shows only in the toggle row.
@@ -23,13 +23,13 @@ void Keyboard::release(int code) {
   cell(3, code) = 255;
 }
 
-void Keyboard::end_frame() {
+void KeyboardState::end_frame() {
   const auto row = [this](int i) { return rows_.begin() + 256 * i; };
   std::fill(row(1), row(2), std::uint8_t{0});
   std::fill(row(3), rows_.end(), std::uint8_t{0});
 }
 
-Texture keyboard_texture(const Keyboard::Rows& rows, const HostRules& rules) {
+Texture keyboard_texture(const KeyboardState::Rows& rows, const HostRules& rules) {
   Texture texture;
   texture.width = 256;
   texture.height = rules.keyboard_rows;

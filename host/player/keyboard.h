@@ -14,11 +14,11 @@ namespace shadertwin {
 
 // Rows of 256 key codes (the browser's legacy keyCode): 0 held, 1 pressed since the last frame, 2 toggled by
 // every press, 3 released since the last frame (the extension only). 0 or 255 each.
-class Keyboard {
+class KeyboardState {
  public:
   using Rows = std::array<std::uint8_t, std::size_t{256} * 4>;
 
-  explicit Keyboard(const HostRules& rules) : keeps_taps_(rules.keeps_taps) {}
+  explicit KeyboardState(const HostRules& rules) : keeps_taps_(rules.keeps_taps) {}
 
   void press(int code);  // repeats of a key that is held are ignored
   void release(int code);
@@ -35,7 +35,7 @@ class Keyboard {
 };
 
 // What a shader reads of the rows: 256 texels wide, HostRules::keyboard_rows high, 8 bits a channel.
-Texture keyboard_texture(const Keyboard::Rows& rows, const HostRules& rules);
+Texture keyboard_texture(const KeyboardState::Rows& rows, const HostRules& rules);
 
 // Code of a key by name, without regard to case: a letter or digit, or space, enter, escape, tab, backspace,
 // shift, ctrl, alt, left, up, right, down, pageup, pagedown, home, end, insert, delete, f1 to f12, or a

@@ -12,20 +12,20 @@ constexpr double rate_window = 0.5;         // seconds over which it averages iF
 
 }  // namespace
 
-Moment Moment::now() {
+ClockReading ClockReading::now() {
   using namespace std::chrono;
   const auto wall = system_clock::now();
   const std::time_t whole = system_clock::to_time_t(floor<std::chrono::seconds>(wall));
   std::tm local{};
   localtime_r(&whole, &local);
   const double fraction = duration<double>(wall - floor<std::chrono::seconds>(wall)).count();
-  Moment moment;
-  moment.seconds = duration<double>(steady_clock::now().time_since_epoch()).count();
-  moment.date.year = local.tm_year + 1900;
-  moment.date.month = local.tm_mon + 1;
-  moment.date.day = local.tm_mday;
-  moment.date.seconds = 3600.0 * local.tm_hour + 60.0 * local.tm_min + local.tm_sec + fraction;
-  return moment;
+  ClockReading reading;
+  reading.seconds = duration<double>(steady_clock::now().time_since_epoch()).count();
+  reading.date.year = local.tm_year + 1900;
+  reading.date.month = local.tm_mon + 1;
+  reading.date.day = local.tm_mday;
+  reading.date.seconds = 3600.0 * local.tm_hour + 60.0 * local.tm_min + local.tm_sec + fraction;
+  return reading;
 }
 
 LiveClock::LiveClock(LiveSettings settings, const HostRules& rules)
@@ -62,11 +62,11 @@ void LiveClock::set_recording(std::optional<double> rate) {
 void LiveClock::restart(const HostRules& rules) {
   rules_ = rules;
   mouse_ = Mouse(rules);
-  keyboard_ = Keyboard(rules);
+  keyboard_ = KeyboardState(rules);
   reset();
 }
 
-Frame LiveClock::next(const Moment& now, glm::ivec2 size) {
+Frame LiveClock::next(const ClockReading& now, glm::ivec2 size) {
   const std::optional<double> rate = recording_.has_value() ? recording_ : settings_.rate;
   const double step = rate.has_value() ? 1.0 / *rate : usual_delta;
   const bool still = settings_.paused && !stepped_;  // a forced frame

@@ -13,11 +13,11 @@
 namespace shadertwin {
 
 // What the world's clocks say.
-struct Moment {
+struct ClockReading {
   double seconds = 0.0;  // of a steady clock
   Date date;             // local
 
-  static Moment now();
+  static ClockReading now();
 };
 
 struct LiveSettings {
@@ -35,8 +35,11 @@ class LiveClock {
 
   // What a hand does goes in here, between frames.
   Mouse& mouse() { return mouse_; }
-  Keyboard& keyboard() { return keyboard_; }
-  void set_buttons(bool left, bool right) { buttons_ = {left, right}; }
+  KeyboardState& keyboard() { return keyboard_; }
+  // 0: left, 1: right; others are nothing to a shader.
+  void set_button(int button, bool down) {
+    if (button == 0 || button == 1) buttons_[button] = down;
+  }
 
   bool paused() const { return settings_.paused; }
   // Time does not advance while paused, and not by the pause afterwards.
@@ -59,7 +62,7 @@ class LiveClock {
   // Whether a frame is to be drawn now.
   bool due() const { return !settings_.paused || forced_ || stepped_ || first_; }
   // The values of the next frame.
-  Frame next(const Moment& now, glm::ivec2 size);
+  Frame next(const ClockReading& now, glm::ivec2 size);
 
   // Whether time goes by frames, not by the clock.
   bool by_frames() const { return settings_.rate.has_value() || recording_.has_value(); }
@@ -75,7 +78,7 @@ class LiveClock {
   LiveSettings settings_;
   HostRules rules_;
   Mouse mouse_;
-  Keyboard keyboard_;
+  KeyboardState keyboard_;
   FlyCamera camera_;
   glm::bvec2 buttons_{false};
   std::optional<double> recording_;

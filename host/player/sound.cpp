@@ -16,7 +16,8 @@ Project sound_only(const Project& project) {
   // Passes are not bound to a sound, and these are no longer there.
   for (Input& input : result.passes[0].inputs) {
     if (input.kind != InputKind::pass) continue;
-    input.missing = traits_of_source(project, input).faces == 6 ? InputKind::cubemap : InputKind::none;
+    input.undrawn = pass_read(project, input)->kind;
+    input.missing = InputKind::undrawn;
     input.kind = InputKind::none;
     input.pass = -1;
   }

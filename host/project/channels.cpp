@@ -32,32 +32,16 @@ void bind_cubemap(const PlacedDirective& at, const std::vector<fs::path>& places
     fail(ExitStatus::file, at, "the cubemap is not complete: " + missing + " is missing");
 }
 
-void bind_file(const ChannelContext& context, const PlacedDirective& at, MediaKind kind, const fs::path& file,
-               Input& input) {
-  input.files = {file};
-  switch (kind) {
-    case MediaKind::image:
-      input.kind = InputKind::texture;
-      break;
-    case MediaKind::volume:
-      input.kind = InputKind::volume;
-      break;
-    case MediaKind::audio:
-      input.kind = InputKind::music;
-      break;
-    case MediaKind::video:
-      input.kind = InputKind::video;
-      break;
-    case MediaKind::shader:
-      input.kind = InputKind::pass;
-      input.files.clear();
-      input.pass = identity(file) == identity(context.pass_file) ? context.self : context.find_pass(file, at);
-      break;
-    case MediaKind::unsupported:
-      warn(context.project, at, "\"" + at.directive.text + "\" is nothing that a channel can show");
-      input = {};
-      break;
-  }
+void bind_file(const ChannelContext& context, const PlacedDirective& at, const fs::path& file, Input& input) {
+  input.kind = kind_of_file(at.directive.text);
+  if (input.kind == InputKind::none)
+    warn(context.project, at, "\"" + at.directive.text + "\" is nothing that a channel can show");
+  else if (input.kind != InputKind::pass)
+    input.files = {file};
+  else if (identity(file) == identity(context.pass_file))
+    input.pass = context.self;
+  else
+    input.pass = context.find_pass(file, at);
 }
 
 // What the path of an #iChannelN stands for.
@@ -85,7 +69,7 @@ Input bind_path(const ChannelContext& context, const PlacedDirective& at, bool c
     fail(ExitStatus::file, at, "can't find \"" + path + "\"; tried " + tried);
   }
   if (fs::is_directory(*found)) fail(ExitStatus::file, at, display_name(*found) + " is a folder");
-  bind_file(context, at, media_kind(path), *found, input);
+  bind_file(context, at, *found, input);
   return input;
 }
 

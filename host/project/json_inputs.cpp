@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "host/base/error.h"
-#include "host/project/kinds.h"
 #include "host/project/media.h"
 #include "host/project/paths.h"
 
@@ -17,14 +16,6 @@ namespace {
 
 constexpr std::size_t max_inputs = 64;
 
-// The API's numbers for what the site calls by strings.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 6> site_ids = {{{"37", "4dfGRr"},
-                                                                                    {"257", "4dXGR8"},
-                                                                                    {"258", "XsXGR8"},
-                                                                                    {"259", "4sXGR8"},
-                                                                                    {"260", "XdfGR8"},
-                                                                                    {"41", "4dX3Rr"}}};
-constexpr std::array<std::string_view, 4> buffer_ids = {"4dXGR8", "XsXGR8", "4sXGR8", "XdfGR8"};
 // Textures of which the site keeps one channel: Bayer, two sizes of grey noise, pebbles. The API numbers
 // them, so they are known by their file as well.
 constexpr std::array<std::string_view, 4> red_ids = {"Xdf3zn", "4sf3Rn", "4dXGzn", "4sf3Rr"};
@@ -40,16 +31,25 @@ bool has_one_channel(const std::string& id, const std::string& source) {
                      [&](std::string_view file) { return source.ends_with(file); });
 }
 
-// An id is a number or a string.
+// An id is the API's number, or the string that the site uses: given for an output's number, too.
 std::string read_id(const Json& object) {
   const auto id = object.find("id");
   if (id == object.end()) return "";
   const std::string text = id->is_string()           ? id->get<std::string>()
                            : id->is_number_integer() ? id->dump()
                                                      : "";
-  for (const auto& [number, name] : site_ids)
-    if (text == number) return std::string(name);
+  for (const PassTraits& kind : pass_kinds)
+    for (std::size_t i = 0; i * (site_id_length + 1) < kind.site_ids.size(); ++i)
+      if (text == std::to_string(static_cast<std::size_t>(kind.site_output) + i))
+        return std::string(kind.site_ids.substr(i * (site_id_length + 1), site_id_length));
   return text;
+}
+
+// The number of the output of that id among those of a kind, from 0; -1 if it is none of them.
+int number_of_output(const PassTraits& kind, const std::string& id) {
+  const std::size_t found = kind.site_ids.find(id);
+  const bool is_one = id.size() == site_id_length && found != std::string_view::npos;
+  return is_one ? static_cast<int>(found / (site_id_length + 1)) : -1;
 }
 
 // A string under one of two names; "" if there is none.
@@ -65,6 +65,16 @@ InputKind kind_of(const std::string& type) {
   for (const InputKindInfo& kind : input_kinds)
     if (kind.site_name == type) return kind.kind;
   return InputKind::none;
+}
+
+// The kind of pass that an input reads; null if it reads none. A type may be one of files, too.
+const PassTraits* read_kind(const std::string& type, const std::string& id, const std::string& source) {
+  for (const PassTraits& kind : pass_kinds)
+    if (kind.is_read && type == kind.name &&
+        (info(kind_of(type)).source != InputSource::still || number_of_output(kind, id) >= 0 ||
+         source.starts_with("/media/previz/")))
+      return &kind;
+  return nullptr;
 }
 
 bool is_true(const Json& value) {
@@ -110,24 +120,21 @@ std::vector<std::vector<std::string>> spellings(const std::string& source, Input
 
 }  // namespace
 
-JsonPass identify(const Json& pass, PassKind kind, const std::string& document) {
+JsonPass identify(const Json& pass, const PassTraits& kind, const std::string& document) {
   JsonPass result;
-  result.kind = kind;
+  result.kind = kind.kind;
   if (const auto outputs = pass.find("outputs"); outputs != pass.end() && !outputs->is_null()) {
     need_array(*outputs, document, "outputs");
     if (!outputs->empty()) result.output = read_id(need_object(outputs->front(), document, "an output"));
   }
-  if (kind != PassKind::buffer) return result;
-  const auto known = std::find(buffer_ids.begin(), buffer_ids.end(), result.output);
-  if (known != buffer_ids.end()) {
-    result.letter = static_cast<char>('A' + (known - buffer_ids.begin()));
-  } else {
-    // "Buffer A", in old documents "Buf A".
-    const std::string name = either(pass, "name", "name");
-    if (name.starts_with("Buf") && name.size() > 4 && name.back() >= 'A' && name.back() <= 'D' &&
-        name[name.size() - 2] == ' ')
-      result.letter = name.back();
-  }
+  if (kind.most == 1) return result;
+  result.number = number_of_output(kind, result.output);
+  if (result.number >= 0) return result;
+  // "Buffer A", in old documents "Buf A".
+  const std::string name = either(pass, "name", "name");
+  if (name.size() > 4 && name.starts_with(kind.title.substr(0, kind.short_tab.size())) &&
+      name[name.size() - 2] == ' ' && name.back() >= 'A' && name.back() < 'A' + kind.most)
+    result.number = name.back() - 'A';
   return result;
 }
 
@@ -167,14 +174,10 @@ Input JsonInputs::read(const Json& json) {
   const std::string id = read_id(json);
   Input input;
   input.kind = kind_of(type);
-  if (input.kind == InputKind::none) {
+  if (const PassTraits* const kind = read_kind(type, id, source))
+    input = read_pass(id, source, *kind);
+  else if (input.kind == InputKind::none)
     warn("type " + type, "an input has the unknown type \"" + type + "\"");
-    return input;
-  }
-  const bool cubemap_pass =
-      input.kind == InputKind::cubemap && (id == "4dX3Rr" || source.starts_with("/media/previz/"));
-  if (cubemap_pass || input.kind == InputKind::pass)
-    input = read_pass(id, source, cubemap_pass ? PassKind::cubemap : PassKind::buffer);
   else if (info(input.kind).files != 0)
     find_media(source, input.kind, input);
   if (input.kind == InputKind::none) {
@@ -187,21 +190,21 @@ Input JsonInputs::read(const Json& json) {
   return input;
 }
 
-Input JsonInputs::read_pass(const std::string& id, const std::string& source, PassKind kind) {
+Input JsonInputs::read_pass(const std::string& id, const std::string& source, const PassTraits& kind) {
   Input input;
   for (std::size_t i = 0; i < passes_.size() && input.pass < 0; ++i)
-    if (passes_[i].kind == kind && !id.empty() && passes_[i].output == id) input.pass = static_cast<int>(i);
-  // Without an id the thumbnail tells: buffer00.png is Buffer A.
-  const std::size_t digits = source.find("buffer0");
-  const char letter = digits != std::string::npos && digits + 7 < source.size()
-                          ? static_cast<char>('A' + (source[digits + 7] - '0'))
-                          : '\0';
-  for (std::size_t i = 0; i < passes_.size() && input.pass < 0; ++i)
-    if (passes_[i].kind == kind && (traits(kind).most == 1 || (letter != 0 && passes_[i].letter == letter)))
+    if (passes_[i].kind == kind.kind && !id.empty() && passes_[i].output == id)
       input.pass = static_cast<int>(i);
-  input.kind = input.pass >= 0             ? InputKind::pass
-               : kind == PassKind::cubemap ? InputKind::undrawn_cubemap
-                                           : InputKind::undrawn_buffer;
+  // Without an id the thumbnail tells: buffer00.png is Buffer A.
+  const std::string thumbnail = std::string(kind.name) + '0';
+  const std::size_t digit = source.find(thumbnail) + thumbnail.size();
+  const int number =
+      source.find(thumbnail) != std::string::npos && digit < source.size() ? source[digit] - '0' : -1;
+  for (std::size_t i = 0; i < passes_.size() && input.pass < 0; ++i)
+    if (passes_[i].kind == kind.kind && (kind.most == 1 || (number >= 0 && passes_[i].number == number)))
+      input.pass = static_cast<int>(i);
+  input.kind = input.pass >= 0 ? InputKind::pass : InputKind::undrawn;
+  input.undrawn = kind.kind;
   if (input.pass < 0)
     warn("pass " + id + source, "an input reads a pass that is not there: " + (id.empty() ? source : id));
   return input;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "host/project/json_text.h"
-#include "host/project/project.h"
+#include "host/project/kinds.h"
 
 namespace shadertwin {
 
@@ -15,11 +15,11 @@ namespace shadertwin {
 struct JsonPass {
   PassKind kind = PassKind::image;
   std::string output;  // the id of its output: a number's digits become the string that the site uses
-  char letter = 0;     // of a buffer; 0 if the document does not say
+  int number = -1;     // of a buffer, from 0; -1 if the document does not say
 };
 
 // Throws Error(file) if outputs have another shape.
-JsonPass identify(const Json& pass, PassKind kind, const std::string& document);
+JsonPass identify(const Json& pass, const PassTraits& kind, const std::string& document);
 
 class JsonInputs {
  public:
@@ -35,7 +35,7 @@ class JsonInputs {
   [[noreturn]] void fail(const std::string& message) const;
   void warn(const std::string& subject, const std::string& message);
   Input read(const Json& json);
-  Input read_pass(const std::string& id, const std::string& source, PassKind kind);
+  Input read_pass(const std::string& id, const std::string& source, const PassTraits& kind);
   void find_media(const std::string& source, InputKind kind, Input& input);
   std::filesystem::path find_one(const std::string& source, std::string& problem) const;
 

@@ -49,7 +49,7 @@ class FileLoader {
     names_.push_back(pass.name);
     pass.kind = PassKind::buffer;
     Body body;
-    body.append(to_text(options_.defines), -1, 0);
+    body.append(to_text(options_.settings.defines), -1, 0);
     const std::size_t code = body.size();
     std::vector<PlacedDirective> directives;
     texts_.append(file, body, directives);

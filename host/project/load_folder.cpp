@@ -3,6 +3,7 @@
 
 #include "host/project/channels.h"
 #include "host/project/host_rules.h"
+#include "host/project/kinds.h"
 #include "host/project/load.h"
 #include "host/project/tabs_settings.h"
 #include "host/project/text_file.h"
@@ -15,21 +16,24 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Tab {
-  const char* stem;  // as plain_name gives it
-  const char* short_stem;
-  const char* name;
-  PassKind kind;
+  std::string name;
+  std::string short_stem;  // what the file may be called instead, as plain_name gives it
+  PassKind kind = PassKind::image;
 };
 
 // In drawing order.
-constexpr std::array<Tab, 7> tabs = {{{"sound", "sound", "Sound", PassKind::sound},
-                                      {"buffera", "bufa", "Buffer A", PassKind::buffer},
-                                      {"bufferb", "bufb", "Buffer B", PassKind::buffer},
-                                      {"bufferc", "bufc", "Buffer C", PassKind::buffer},
-                                      {"bufferd", "bufd", "Buffer D", PassKind::buffer},
-                                      {"cubemapa", "cubemap", "Cubemap A", PassKind::cubemap},
-                                      {"image", "image", "Image", PassKind::image}}};
-constexpr Tab common_tab = {"common", "common", "Common", PassKind::image};
+std::vector<Tab> all_tabs() {
+  std::vector<PassTraits> kinds(pass_kinds.begin(), pass_kinds.end());
+  std::sort(kinds.begin(), kinds.end(), [](const auto& a, const auto& b) { return a.rank < b.rank; });
+  std::vector<Tab> tabs;
+  for (const PassTraits& kind : kinds)
+    for (int i = 0; i < kind.most; ++i) {
+      std::string short_stem(kind.short_tab);
+      if (kind.most > 1) short_stem += static_cast<char>('a' + i);
+      tabs.push_back({tab_name(kind, i), std::move(short_stem), kind.kind});
+    }
+  return tabs;
+}
 
 class FolderLoader {
  public:
@@ -41,16 +45,16 @@ class FolderLoader {
 
   Project load() {
     list_files();
-    if (find(tabs.back()).empty())
-      throw Error(ExitStatus::file, display_name(folder_) + ": error: the folder has no image.glsl");
-    const fs::path common = find(common_tab);
-    for (const Tab& tab : tabs) {
+    const fs::path common = find({"Common", "common"});
+    for (const Tab& tab : all_tabs()) {
       if (find(tab).empty()) continue;
       Pass& pass = project_.passes.emplace_back();
       pass.name = tab.name;
       pass.kind = tab.kind;
       files_of_passes_.push_back(find(tab));
     }
+    if (project_.passes.empty() || project_.passes.back().kind != PassKind::image)
+      throw Error(ExitStatus::file, display_name(folder_) + ": error: the folder has no image.glsl");
     for (std::size_t i = 0; i < project_.passes.size(); ++i) read_tab(static_cast<int>(i), common);
     if (const fs::path settings = folder_ / "shadertoy.json"; fs::exists(settings))
       apply_tabs_settings(settings, project_);
@@ -80,7 +84,7 @@ class FolderLoader {
     for (const fs::path& file : files_) {
       const std::string stem = plain_name(file.stem().string());
       const std::string extension = plain_name(file.extension().string());
-      if (stem != tab.stem && stem != tab.short_stem) continue;
+      if (stem != plain_name(tab.name) && stem != tab.short_stem) continue;
       if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end()) continue;
       if (!found.empty())
         throw Error(ExitStatus::file, display_name(file) + ": error: " + display_name(found) +
@@ -94,7 +98,7 @@ class FolderLoader {
     const fs::path& file = files_of_passes_[static_cast<std::size_t>(index)];
     Pass& pass = project_.passes[static_cast<std::size_t>(index)];
     Body body;
-    body.append(to_text(options_.defines), -1, 0);
+    body.append(to_text(options_.settings.defines), -1, 0);
     std::vector<PlacedDirective> directives;
     if (!common.empty()) {
       const std::size_t start = body.size();

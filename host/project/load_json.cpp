@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "host/base/error.h"
 #include "host/project/body.h"
@@ -103,7 +104,7 @@ class JsonLoader {
                                     [&](const PassTraits& kind) { return kind.name == type; });
     if (known == pass_kinds.end()) fail("a pass has the unknown type \"" + type + "\"");
     parsed.pass.kind = known->kind;
-    parsed.ids = identify(json, parsed.pass.kind, name_);
+    parsed.ids = identify(json, *known, name_);
     parsed_.push_back(std::move(parsed));
   }
 
@@ -126,24 +127,24 @@ class JsonLoader {
   }
 
   void name_passes() {
-    char next = 'A';
+    int next = 0;
     for (Parsed& parsed : parsed_) {
-      std::string& name = parsed.pass.name;
-      name = traits(parsed.pass).title;
-      if (traits(parsed.pass).most == 1) continue;
-      if (parsed.ids.letter == 0 || is_taken(parsed.ids.letter))
+      const PassTraits& kind = traits(parsed.pass);
+      int& number = parsed.ids.number;
+      if (kind.most > 1) {
         while (is_taken(next)) ++next;
-      name += {' ', parsed.ids.letter == 0 || is_taken(parsed.ids.letter) ? next : parsed.ids.letter};
-      parsed.ids.letter = name.back();
-      taken_ += name.back();
+        if (number < 0 || is_taken(number)) number = next;
+        taken_.insert(number);
+      }
+      parsed.pass.name = tab_name(kind, number);
     }
   }
-  bool is_taken(char letter) const { return taken_.find(letter) != std::string::npos; }
+  bool is_taken(int number) const { return taken_.contains(number); }
 
   void bind_inputs() {
     std::vector<JsonPass> ids;
     for (const Parsed& parsed : parsed_) ids.push_back(parsed.ids);
-    JsonInputs inputs(media_, name_, ids, options_.muted, project_.warnings);
+    JsonInputs inputs(media_, name_, ids, options_.settings.muted, project_.warnings);
     for (Parsed& parsed : parsed_) inputs.bind(*parsed.json, parsed.pass);
     for (Parsed& parsed : parsed_) project_.passes.push_back(parsed.pass);
   }
@@ -159,7 +160,7 @@ class JsonLoader {
 
   void finish(Parsed& parsed) {
     Body body;
-    body.append(to_text(options_.defines), -1, 0);
+    body.append(to_text(options_.settings.defines), -1, 0);
     const std::size_t start = body.size();
     for (std::size_t i = 0; i < common_.size(); ++i)
       append(common_[i], i == 0 ? "Common" : "Common " + std::to_string(i + 1), body);
@@ -177,7 +178,7 @@ class JsonLoader {
   Project project_;
   std::vector<Parsed> parsed_;
   std::vector<std::string> common_;
-  std::string taken_;  // letters of buffers
+  std::set<int> taken_;  // numbers of buffers
 };
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
+#include "host/project/kinds.h"
 #include "host/project/text_file.h"
 
 namespace shadertwin {
@@ -11,11 +11,6 @@ namespace shadertwin {
 namespace fs = std::filesystem;
 
 namespace {
-
-template <std::size_t n>
-bool among(const std::array<std::string_view, n>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 // The pattern's text before and after its placeholder.
 bool split(const std::string& pattern, std::string& before, std::string& after) {
@@ -33,22 +28,13 @@ bool split(const std::string& pattern, std::string& before, std::string& after) 
 
 }  // namespace
 
-MediaKind media_kind(const std::string& path) {
-  static constexpr std::array<std::string_view, 23> images = {
-      ".png", ".jpg", ".jpeg", ".jpe", ".bmp", ".gif", ".tga", ".tif", ".tiff", ".webp", ".exr", ".hdr",
-      ".dds", ".psd", ".ppm",  ".pgm", ".pbm", ".pnm", ".pfm", ".pic", ".jp2",  ".ico",  ".avif"};
-  static constexpr std::array<std::string_view, 10> audio = {".mp3", ".wav", ".ogg",  ".oga", ".flac",
-                                                             ".m4a", ".aac", ".opus", ".aif", ".aiff"};
-  static constexpr std::array<std::string_view, 9> video = {".mp4", ".webm", ".mkv", ".mov", ".avi",
-                                                            ".ogv", ".m4v",  ".mpg", ".mpeg"};
-  static constexpr std::array<std::string_view, 4> other = {".json", ".pdf", ".zip", ".html"};
-  std::string extension = fs::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (among(images, extension)) return MediaKind::image;
-  if (among(audio, extension)) return MediaKind::audio;
-  if (among(video, extension)) return MediaKind::video;
-  if (extension == ".bin") return MediaKind::volume;
-  return among(other, extension) ? MediaKind::unsupported : MediaKind::shader;
+InputKind kind_of_file(const std::string& path) {
+  std::string extension = plain_name(fs::path(path).extension().string()) + ' ';
+  for (const InputKindInfo& kind : input_kinds)
+    if (extension != " " && kind.extensions.find(extension) != std::string_view::npos) return kind.kind;
+  const bool unsupported =
+      extension == ".json " || extension == ".pdf " || extension == ".zip " || extension == ".html ";
+  return unsupported ? InputKind::none : InputKind::pass;
 }
 
 bool is_remote(const std::string& path) {

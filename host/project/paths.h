@@ -13,9 +13,9 @@
 
 namespace shadertwin {
 
-// What a path's extension says that it is. Everything unknown is the text of a shader.
-enum class MediaKind { shader, image, volume, audio, video, unsupported };
-MediaKind media_kind(const std::string& path);
+// What a channel with the path would be, by the extension: InputKind::none if a channel can't show it, and
+// InputKind::pass for the text of a shader, which everything unknown is.
+InputKind kind_of_file(const std::string& path);
 
 // Whether the path is a URL that names another machine.
 bool is_remote(const std::string& path);

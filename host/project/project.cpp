@@ -20,11 +20,8 @@ Project read_any(const std::filesystem::path& shader, const LoadOptions& options
 
 Project read_project(const std::filesystem::path& shader, const LoadOptions& options) {
   Project project = read_any(shader, options);
-  project.defines = options.defines;
-  project.undefined = options.undefined;
-  project.precise = options.precise;
-  project.muted = options.muted;
-  project.vscode_quirks = options.vscode_quirks && project.dialect == Dialect::vscode;
+  static_cast<PlaySettings&>(project) = options.settings;
+  project.vscode_quirks = project.vscode_quirks && project.dialect == Dialect::vscode;
   return project;
 }
 

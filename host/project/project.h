@@ -48,10 +48,9 @@ enum class InputKind {
   video,  // files[0]
   webcam,
   microphone,
-  // A buffer or the cubemap pass that the project lacks: texels that nobody draws, of the size that the pass
+  // A pass of the kind `undrawn` that the project lacks: texels that nobody draws, of the size that the pass
   // would have. shadertoy.com has all of them, drawn or not.
-  undrawn_buffer,
-  undrawn_cubemap
+  undrawn
 };
 
 // What is bound to one channel of one pass.
@@ -61,8 +60,9 @@ struct Input {
   InputKind missing = InputKind::none;
   Sampler sampler;
   std::vector<std::filesystem::path> files;
-  int pass = -1;          // index into Project::passes when kind is pass
-  bool red_only = false;  // a texture of one channel: r is the picture's grey, g = b = 0, a = 1
+  int pass = -1;                        // index into Project::passes when kind is pass
+  PassKind undrawn = PassKind::buffer;  // when kind is undrawn
+  bool red_only = false;                // a texture of one channel: r is the picture's grey, g = b = 0, a = 1
 
   // What the channel is, or would be if what is missing were there.
   InputKind wanted() const { return kind == InputKind::none ? missing : kind; }
@@ -146,21 +146,27 @@ struct CustomUniform {
 // Name and value of -D NAME=VALUE.
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
-struct Project {
+// How a project is to be played, whatever shader it is: what LoadOptions asks for, and the Project then has.
+struct PlaySettings {
+  // Those of the command line: the first lines of every body, of no file, are `#define NAME VALUE`.
+  Defines defines = {};
+  // As the extension has them: empty channels read (0, 0, 0, 0), and what PingPong says. Only a project of
+  // the extension's dialect has it.
+  bool vscode_quirks = false;
+  bool vr = false;     // the picture is mainVR() for two eyes side by side
+  bool muted = false;  // music and the microphone give shadertoy.com's preview signal
+  Undefined undefined = Undefined::zero;
+  bool precise = false;  // devices compute what the text states, operation by operation
+};
+
+struct Project : PlaySettings {
   Dialect dialect = Dialect::shadertoy;
   std::string title;         // from a JSON; else empty
   std::string common;        // the text of the Common tab
   std::vector<Pass> passes;  // in drawing order; the last one is the picture
   std::vector<CustomUniform> uniforms;
-  // Those of the command line: the first lines of every body, of no file, are `#define NAME VALUE`.
-  Defines defines;
-  // As the extension has them: empty channels read (0, 0, 0, 0), and what PingPong says.
-  bool vscode_quirks = false;
   bool first_person_controls = false;  // iViewMatrix follows the keys and the mouse
-  bool muted = false;                  // music and the microphone give shadertoy.com's preview signal
   bool local = false;                  // SHADER_TOY is defined: the text was written for a local host
-  Undefined undefined = Undefined::zero;
-  bool precise = false;  // devices compute what the text states, operation by operation
   // Every text that the sources came from, as the user would name it: a path; for a JSON its path, a colon
   // and the pass's name.
   std::vector<std::string> files;
@@ -170,19 +176,14 @@ struct Project {
 };
 
 struct LoadOptions {
-  Defines defines = {};  // Project::defines
+  PlaySettings settings = {};
   // Whose rules hold. Not given: a file has those of the extension, a folder those of shadertoy.com.
   std::optional<Dialect> dialect = {};
   // Where the media are that a JSON names: "/media/a/x.jpg" is <media>/media/a/x.jpg or <media>/x.jpg. Empty:
   // the JSON's own folder. Nothing outside of it is opened.
   std::filesystem::path media = {};
-  Undefined undefined = Undefined::zero;  // Project::undefined
-  bool precise = false;                   // Project::precise
-  // Project::vscode_quirks, for a project of the extension's dialect.
-  bool vscode_quirks = false;
-  // The picture is mainVR() for two eyes side by side. Error(shader) if the shader has none.
-  bool vr = false;
-  bool muted = false;  // Project::muted
+  // Uniforms that the caller sets from frame to frame, beside those that the text declares by #iUniform.
+  std::vector<CustomUniform> uniforms = {};
 };
 
 // Loads a .glsl/.frag file (VS Code dialect) or a folder of Shadertoy tabs: image.glsl and any of
@@ -191,10 +192,9 @@ struct LoadOptions {
 // Error(shader) for a malformed directive, an include that goes in a circle or a pass without an entry point,
 // and Error(usage) for an impossible define. Messages have the form `file:line: error: text`.
 // A .json file is a shader as Shadertoy's API (`{"Shader": ...}`), the site (`[...]`) or an export of a
-// profile
-// (`{"shaders": [...]}`) gives it; of several the first is taken. Media that are not there are a warning and
-// an empty channel.
-// The passes have their own texts, which load_project (host/text/load.h) puts into the host's.
+// profile (`{"shaders": [...]}`) gives it; of several the first is taken. Media that are not there are a
+// warning and an empty channel. The passes have their own texts, which load_project (host/text/load.h) puts
+// into the host's.
 Project read_project(const std::filesystem::path& shader, const LoadOptions& options);
 
 // Index of the pass that the user calls `name`: as Pass::name, or without case, spaces and underscores

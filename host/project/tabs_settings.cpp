@@ -1,5 +1,7 @@
 #include "host/project/tabs_settings.h"
 
+#include <algorithm>
+
 #include "host/base/error.h"
 #include "host/project/channels.h"
 #include "host/project/json_text.h"
@@ -72,6 +74,13 @@ class SettingsReader {
     if (kind.source == InputSource::pass) {
       input.pass = find_pass(project_, need_string(value, name_, where));
       if (input.pass < 0) fail("there is no tab \"" + value.get<std::string>() + "\"");
+    } else if (kind.source == InputSource::undrawn) {
+      const std::string& name = need_string(value, name_, where);
+      const auto known = std::find_if(pass_kinds.begin(), pass_kinds.end(), [&](const PassTraits& pass) {
+        return pass.is_read && pass.name == name;
+      });
+      if (known == pass_kinds.end()) fail(where + " is no kind of pass that is read: \"" + name + "\"");
+      input.undrawn = known->kind;
     } else if (kind.files == 6) {
       bind_cubemap(value, where, input);
     } else if (kind.files == 1) {

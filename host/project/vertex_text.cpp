@@ -43,7 +43,7 @@ PassSource load_vertex(Project& project, TextLoader& texts, const PlacedDirectiv
     fail_at(ExitStatus::file, at.file, at.directive.line,
             "can't find \"" + at.directive.text + "\", the vertex shader");
   Body body;
-  body.append(to_text(options.defines), -1, 0);
+  body.append(to_text(options.settings.defines), -1, 0);
   std::vector<PlacedDirective> directives;
   texts.append(*file, body, directives);
   if (!directives.empty())

@@ -93,17 +93,12 @@ class Writer {
   }
 
   std::string pass_name(const Pass& pass, int index) const {
-    const PassTraits& kind = traits(pass);
-    std::string name(kind.title);
-    if (kind.most > 1)
-      name += {' ', static_cast<char>('A' + ids_[static_cast<std::size_t>(index)] - kind.site_output)};
-    return name;
+    return tab_name(traits(pass), ids_[static_cast<std::size_t>(index)] - traits(pass).site_output);
   }
 
   Json write_pass(const Pass& pass, int index) {
-    const bool picture = traits(pass).side == 0;
     const EntryPoints entry = find_entry_points(tokenize(pass.source.body));
-    if (picture && entry.main && !entry.image)
+    if (traits(pass).fills_frame() && entry.main && !entry.has(traits(pass).entry))
       fail(pass, "shadertoy.com needs mainImage(), and this has main()");
     Json inputs = Json::array();
     for (int channel = 0; channel < max_channels; ++channel) {
@@ -124,18 +119,13 @@ class Writer {
     int id = next_media_;
     std::string source;
     std::string type(info(input.kind).site_name);
-    if (input.kind == InputKind::pass) {
-      const PassTraits& kind = traits_of_source(project_, input);
-      id = ids_[static_cast<std::size_t>(input.pass)];
-      if (kind.kind == PassKind::image)
-        fail(pass, "shadertoy.com can't read the image in iChannel" + std::to_string(channel));
-      type = kind.name;
-      source = "/media/previz/" + type + '0' + std::to_string(id - kind.site_output) + ".png";
-    } else if (info(input.kind).source == InputSource::undrawn) {
-      const PassTraits& kind =
-          traits(input.kind == InputKind::undrawn_buffer ? PassKind::buffer : PassKind::cubemap);
-      id = undrawn_id(kind);
-      source = "/media/previz/" + type + '0' + std::to_string(id - kind.site_output) + ".png";
+    if (const PassTraits* const kind = pass_read(project_, input)) {
+      id = input.kind == InputKind::pass ? ids_[static_cast<std::size_t>(input.pass)] : undrawn_id(*kind);
+      if (!kind->is_read)
+        fail(pass, "shadertoy.com can't read the " + std::string(kind->name) + " in iChannel" +
+                       std::to_string(channel));
+      type = kind->name;
+      source = "/media/previz/" + type + '0' + std::to_string(id - kind->site_output) + ".png";
     } else if (input.kind == InputKind::keyboard) {
       id = keyboard_id;
       source = "/presets/tex00.jpg";

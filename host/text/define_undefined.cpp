@@ -4,11 +4,11 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 
 #include "host/base/error.h"
 #include "host/text/define_operations.h"
 #include "host/text/loop_range.h"
+#include "host/text/main_text.h"
 #include "host/text/operands.h"
 #include "host/text/render.h"
 #include "host/text/resolve_macros.h"
@@ -25,8 +25,6 @@ constexpr const char* clamp_name = "shadertwin_at";
 constexpr const char* clamp_functions =
     " int shadertwin_at(int i, int last) { return clamp(i, 0, last); }"
     " int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }";
-
-const std::set<std::string> entry_points = {"main", "mainImage", "mainCubemap", "mainSound", "mainVR"};
 
 // How many elements there are to choose from, by the `[` of every index that is no constant.
 using Choices = std::map<int, int>;
@@ -142,7 +140,7 @@ class DefinedText {
   void clear_globals() {
     const FunctionBody* entry = nullptr;
     for (const FunctionBody& function : declarations_.functions()) {
-      if (entry_points.count(text(function.name)) != 0) entry = &function;
+      if (is_entry_point(text(function.name))) entry = &function;
     }
     if (entry == nullptr) return;
     for (const Variable* variable : globals_) {

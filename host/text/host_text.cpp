@@ -17,8 +17,7 @@ namespace shadertwin {
 namespace {
 
 std::string_view sampler_name(const Project& project, const Input& input) {
-  const bool cube_pass = input.kind == InputKind::pass && traits_of_source(project, input).faces == 6;
-  switch (cube_pass ? SamplerShape::cube : info(input.wanted()).shape) {
+  switch (shape_of(project, input)) {
     case SamplerShape::cube:
       return "samplerCube";
     case SamplerShape::volume:
@@ -58,7 +57,7 @@ void add_channels(Head& head, const Project& project, const Pass& pass, int chan
 }
 
 void add_uniforms(Head& head, const HostRules& rules, const Project& project, const Pass& pass) {
-  if (pass.kind == PassKind::sound) {
+  if (!traits(pass).every_frame) {
     head.uniform("float", "iTimeOffset");
     head.uniform("int", "iSampleOffset");
     head.uniform("vec4", "iDate");
@@ -100,29 +99,20 @@ void add_uniforms(Head& head, const HostRules& rules, const Project& project, co
   throw Error(ExitStatus::shader, name + ":1: error: " + message);
 }
 
-[[noreturn]] void fail_without_entry(const Project& project, const Pass& pass, const std::string& entry) {
-  fail_in(project, pass, pass.source, "there is no " + entry);
-}
-
-// main() for the kind of pass; none if it is the user's own.
+// main(), as the host writes it around the function that it calls; none if it is the user's own.
 std::optional<MainText> choose_main(const Project& project, const Pass& pass, const EntryPoints& entry,
-                                    bool vr, bool asserts) {
-  const bool opaque = host_rules(project).opaque_image && pass.kind == PassKind::image;
-  if (pass.kind == PassKind::sound) {
-    if (!entry.sound) fail_without_entry(project, pass, "mainSound(in int, float)");
-    return sound_main(entry.sound_of_time);
-  }
-  if (pass.kind == PassKind::cubemap) {
-    if (!entry.cubemap) fail_without_entry(project, pass, "mainCubemap(out vec4, in vec2, in vec3, in vec3)");
-    return cubemap_main();
-  }
-  if (vr && pass.kind == PassKind::image) {
-    if (!entry.vr) fail_without_entry(project, pass, "mainVR(out vec4, in vec2, in vec3, in vec3)");
-    return vr_main(opaque);
-  }
-  if (entry.image && (!entry.main || pass.strict)) return image_main(opaque, asserts, entry.image_is_inout);
-  if (!entry.main) fail_without_entry(project, pass, "mainImage(out vec4, in vec2) and no main()");
-  return std::nullopt;
+                                    bool asserts) {
+  const bool image = pass.kind == PassKind::image;
+  const std::string_view wanted = project.vr && image ? "mainVR" : traits(pass).entry;
+  const bool takes_own = wanted == "mainImage";
+  if (takes_own && entry.main && !(pass.strict && entry.has(wanted))) return std::nullopt;
+  if (!entry.has(wanted))
+    fail_in(project, pass, pass.source,
+            "there is no " + signature(wanted) + (takes_own ? " and no main()" : ""));
+  return main_text(wanted, {.opaque = host_rules(project).opaque_image && image,
+                            .asserts = asserts,
+                            .image_is_inout = entry.image_is_inout,
+                            .sound_of_time = entry.sound_of_time});
 }
 
 bool is_vertex_shader(const std::vector<Token>& tokens) {
@@ -149,16 +139,16 @@ std::string host_uniforms(const Project& project, const Pass& pass) {
   return head.take();
 }
 
-void write_host_text(const Project& project, Pass& pass, bool vr) {
+void write_host_text(const Project& project, Pass& pass) {
   const std::vector<Token> tokens = tokenize(pass.source.body);
   const EntryPoints entry = find_entry_points(tokens);
-  if (!entry.image && entry.main && is_vertex_shader(tokens))
+  if (!entry.has("mainImage") && entry.main && is_vertex_shader(tokens))
     fail_in(project, pass, pass.source,
             "this is a vertex shader: a shader that is drawn names it by #iVertex");
   const HostRules rules = host_rules(project);
   const bool asserts = rules.has_asserts && pass.kind == PassKind::image && mentions(tokens, "st_assert");
-  pass.has_vr = entry.vr;
-  const std::optional<MainText> main = choose_main(project, pass, entry, vr, asserts);
+  pass.has_vr = entry.has("mainVR");
+  const std::optional<MainText> main = choose_main(project, pass, entry, asserts);
 
   Head head(tokens);
   add_uniforms(head, rules, project, pass);
@@ -175,7 +165,7 @@ void write_host_text(const Project& project, Pass& pass, bool vr) {
   pass.source.tail.clear();
   if (main && rules.main_in_front)
     head.text(main->prototype + main->main);
-  else if (main && pass.kind != PassKind::image && pass.kind != PassKind::buffer)
+  else if (main && !traits(pass).in_extension)
     pass.source.tail = main->prototype + main->main;
   else if (main)
     pass.source.tail = main->main;

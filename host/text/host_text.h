@@ -8,9 +8,9 @@
 namespace shadertwin {
 
 // Fills the head and tail of pass.source around its body and has_vr, and makes the body one that every
-// compiler takes (canonicalise.h); everything else of project and pass is final by then. `vr`: the picture is
-// mainVR's. Throws Error(shader) if the body has no entry point.
-void write_host_text(const Project& project, Pass& pass, bool vr);
+// compiler takes (canonicalise.h); everything else of project and pass is final by then. Throws Error(shader)
+// if the body has no entry point.
+void write_host_text(const Project& project, Pass& pass);
 
 // Lines `uniform TYPE NAME;` of everything that players set by either host's names, as the pass would have
 // it.

@@ -76,6 +76,19 @@ bool mentions(const Project& project, const std::string& name) {
   return found;
 }
 
+bool decides_conditions(const Project& project, const std::string& name) {
+  bool found = false;
+  for_each_text(project, [&](std::string_view text) {
+    bool condition = false;
+    for (const Token& token : tokenize(text, {.line_ends = true})) {
+      if (token.kind == Token::Kind::line_end) condition = false;
+      if (token.preprocessor && (token.is("if") || token.is("elif"))) condition = true;
+      found = found || (condition && token.is(name));
+    }
+  });
+  return found;
+}
+
 std::string nearest_knob(const Project& project, const std::string& name) {
   std::string nearest;
   std::size_t least = name.size() / 3 + 1;

@@ -20,6 +20,9 @@ std::vector<Knob> find_knobs(const Project& project);
 // Whether some pass's text, an include or Common has the identifier.
 bool mentions(const Project& project, const std::string& name);
 
+// Whether some #if or #elif looks at the macro, which must then be a number.
+bool decides_conditions(const Project& project, const std::string& name);
+
 // The knob whose name is most like `name`, if they are alike enough for a slip of the keyboard; else empty.
 std::string nearest_knob(const Project& project, const std::string& name);
 

@@ -24,17 +24,18 @@ void warn_of_defines(Project& project) {
 
 Project load_project(const std::filesystem::path& shader, const LoadOptions& options) {
   Project project = read_project(shader, options);
+  project.uniforms.insert(project.uniforms.end(), options.uniforms.begin(), options.uniforms.end());
   const auto canonicalise_body = [&](PassSource& source) { source.body = canonicalise(source.body); };
   for (std::size_t i = 0; i < project.passes.size(); ++i) {
     Pass& pass = project.passes[i];
-    resolve_macros(project, pass.source, Stage::fragment);
+    resolve_macros(project, pass.source, ShaderStage::fragment);
     canonicalise_body(pass.source);
     adopt_other_uniforms(project, i, pass);
     if (pass.vertex.has_value()) {
-      resolve_macros(project, *pass.vertex, Stage::vertex);
+      resolve_macros(project, *pass.vertex, ShaderStage::vertex);
       canonicalise_body(*pass.vertex);
     }
-    write_host_text(project, pass, options.vr);
+    write_host_text(project, pass);
   }
   warn_of_defines(project);
   return project;

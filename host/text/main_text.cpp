@@ -1,5 +1,11 @@
 #include "host/text/main_text.h"
 
+#include <algorithm>
+#include <array>
+
+#include "host/base/assert.h"
+#include "host/project/project.h"
+
 namespace shadertwin {
 
 namespace {
@@ -10,20 +16,19 @@ std::string shown(const std::string& color, bool opaque) {
   return out + (opaque ? "vec4(" + color + ".rgb, 1.0)" : color) + "; }\n";
 }
 
-}  // namespace
-
-MainText image_main(bool opaque, bool asserts, bool inout) {
+MainText image_main(const MainOptions& options) {
   const std::string check =
-      asserts ? "if (shadertwin_failed >= 0) shadertoy_color.rgb = vec3(shadertwin_failed == 0 || "
-                "shadertwin_failed == "
-                "3, shadertwin_failed == 1 || shadertwin_failed == 3, shadertwin_failed == 2); "
-              : "";
-  return {inout ? "void mainImage(inout vec4, in vec2);\n" : "void mainImage(out vec4, in vec2);\n",
+      options.asserts ? "if (shadertwin_failed >= 0) shadertoy_color.rgb = vec3(shadertwin_failed == 0 || "
+                        "shadertwin_failed == "
+                        "3, shadertwin_failed == 1 || shadertwin_failed == 3, shadertwin_failed == 2); "
+                      : "";
+  return {options.image_is_inout ? "void mainImage(inout vec4, in vec2);\n"
+                                 : "void mainImage(out vec4, in vec2);\n",
           "void main() { vec4 shadertoy_color = vec4(0.0); mainImage(shadertoy_color, gl_FragCoord.xy); " +
-              check + shown("shadertoy_color", opaque)};
+              check + shown("shadertoy_color", options.opaque)};
 }
 
-MainText vr_main(bool opaque) {
+MainText vr_main(const MainOptions& options) {
   return {"void mainVR(out vec4, in vec2, in vec3, in vec3);\n",
           "void main() { float shadertwin_width = 0.5 * iResolution.x; "
           "float shadertwin_eye = gl_FragCoord.x < shadertwin_width ? 0.0 : 1.0; "
@@ -32,10 +37,10 @@ MainText vr_main(bool opaque) {
           "iResolution.y; "
           "vec4 shadertoy_color = vec4(0.0); mainVR(shadertoy_color, shadertwin_pixel, "
           "vec3(0.064 * (shadertwin_eye - 0.5), 0.0, 0.0), normalize(vec3(shadertwin_view, -1.0))); " +
-              shown("shadertoy_color", opaque)};
+              shown("shadertoy_color", options.opaque)};
 }
 
-MainText cubemap_main() {
+MainText cubemap_main(const MainOptions& /*options*/) {
   return {"uniform int shadertwin_face; void mainCubemap(out vec4, in vec2, in vec3, in vec3);\n",
           "void main() { vec2 st = 2.0 * gl_FragCoord.xy / iResolution.xy - 1.0; vec3 shadertwin_ray = "
           "shadertwin_face == 0 ? vec3(1.0, -st.y, -st.x) : shadertwin_face == 1 ? vec3(-1.0, -st.y, st.x) : "
@@ -49,14 +54,54 @@ MainText cubemap_main() {
                     false)};
 }
 
-MainText sound_main(bool of_time) {
+MainText sound_main(const MainOptions& options) {
   const std::string side = std::to_string(sound_block_side);
-  return {of_time ? "vec2 mainSound(in float);\n" : "vec2 mainSound(in int, in float);\n",
+  return {options.sound_of_time ? "vec2 mainSound(in float);\n" : "vec2 mainSound(in int, in float);\n",
           "void main() { int shadertwin_sample = int(gl_FragCoord.x) + " + side +
               " * int(gl_FragCoord.y); float shadertwin_time = iTimeOffset + float(shadertwin_sample) / "
               "iSampleRate; "
               "shadertoy_out_color = vec4(mainSound(" +
-              (of_time ? "" : "iSampleOffset + shadertwin_sample, ") + "shadertwin_time), 0.0, 1.0); }\n"};
+              (options.sound_of_time ? "" : "iSampleOffset + shadertwin_sample, ") +
+              "shadertwin_time), 0.0, 1.0); }\n"};
+}
+
+struct EntryPoint {
+  std::string_view name;
+  std::string_view parameters;
+  MainText (*main)(const MainOptions& options);
+};
+
+constexpr std::array<EntryPoint, 4> entry_points = {{
+    {"mainImage", "(out vec4, in vec2)", image_main},
+    {"mainVR", "(out vec4, in vec2, in vec3, in vec3)", vr_main},
+    {"mainCubemap", "(out vec4, in vec2, in vec3, in vec3)", cubemap_main},
+    {"mainSound", "(in int, float)", sound_main},
+}};
+
+const EntryPoint* find_entry(std::string_view name) {
+  const auto* const found = std::find_if(entry_points.begin(), entry_points.end(),
+                                         [&](const EntryPoint& entry) { return entry.name == name; });
+  return found == entry_points.end() ? nullptr : found;
+}
+
+const EntryPoint& need_entry(std::string_view name) {
+  const EntryPoint* const entry = find_entry(name);
+  SHADERTWIN_ASSERT(entry != nullptr);
+  return *entry;
+}
+
+}  // namespace
+
+bool is_entry_point(std::string_view name) {
+  return name == "main" || find_entry(name) != nullptr;
+}
+
+std::string signature(std::string_view entry) {
+  return std::string(entry).append(need_entry(entry).parameters);
+}
+
+MainText main_text(std::string_view entry, const MainOptions& options) {
+  return need_entry(entry).main(options);
 }
 
 std::string assert_text() {

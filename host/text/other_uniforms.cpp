@@ -131,8 +131,7 @@ class Adopter {
     // Most shaders declare none.
     if (!mentions(tokens, "uniform") && !mentions(tokens, "in")) return;
     const EntryPoints entry = find_entry_points(tokens);
-    const bool picture = pass_.kind == PassKind::image || pass_.kind == PassKind::buffer;
-    only_main_ = picture && entry.main && !entry.image;
+    only_main_ = traits(pass_).fills_frame() && entry.main && !entry.has(traits(pass_).entry);
     host_text_ = host_uniforms(project_, pass_);
     const std::vector<Token> host_tokens = tokenize(host_text_);
     host_ = declarations(host_text_, host_tokens);
@@ -165,7 +164,7 @@ class Adopter {
     });
     if (found == meanings.end()) return nullptr;
     const bool here = only_main_ || (project_.dialect == Dialect::vscode && !found->in_extension.empty() &&
-                                     pass_.kind != PassKind::sound && pass_.kind != PassKind::cubemap);
+                                     traits(pass_).in_extension);
     return here ? &*found : nullptr;
   }
 

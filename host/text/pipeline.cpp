@@ -1,5 +1,6 @@
 #include "host/text/pipeline.h"
 
+#include "host/project/kinds.h"
 #include "host/text/define_undefined.h"
 #include "host/text/make_precise.h"
 #include "host/text/resolve_macros.h"
@@ -11,7 +12,7 @@ namespace {
 
 // Sound keeps its text: it is judged by ear, and every operation in order costs time.
 bool wants_precise(const Project& project, const Pass& pass) {
-  return project.precise && pass.kind != PassKind::sound;
+  return project.precise && traits(pass).every_frame;
 }
 
 bool no_fault(Fault /*fault*/) {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "host/language/tokens.h"
+#include "host/project/kinds.h"
 
 namespace shadertwin {
 
@@ -16,12 +17,12 @@ constexpr std::string_view sampler_precision =
     "precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;";
 
 // What stands in front of the head: version, precisions, helpers, output. A line each, so that the body has
-// the same place for all targets.
+// the same place for all stages.
 constexpr int lines_in_front = 5;
 
-std::string output_line(const PassSource& source, Target target) {
-  if (target == Target::vertex || source.own_output) return "";
-  if (target == Target::fragment) return "layout(location = 0) out vec4 shadertoy_out_color;";
+std::string output_line(const PassSource& source, ShaderStage stage) {
+  if (stage == ShaderStage::vertex || source.own_output) return "";
+  if (stage == ShaderStage::fragment) return "layout(location = 0) out vec4 shadertoy_out_color;";
   const std::string size = std::to_string(group_size);
   return "layout(local_size_x = " + size + ", local_size_y = " + size +
          ") in; layout(rgba32f, binding = " + std::to_string(compute_target_binding) +
@@ -51,17 +52,17 @@ bool is_mipmapped(const Input& input) {
 
 }  // namespace
 
-std::string render(const PassSource& source, Target target) {
-  const std::string_view version = source.precise              ? "#version 320 es\n"
-                                   : target == Target::compute ? "#version 310 es\n"
-                                                               : "#version 300 es\n";
+std::string render(const PassSource& source, ShaderStage stage) {
+  const std::string_view version = source.precise                  ? "#version 320 es\n"
+                                   : stage == ShaderStage::compute ? "#version 310 es\n"
+                                                                   : "#version 300 es\n";
   std::string text(version);
   text.append(precision) += '\n';
   text.append(sampler_precision) += '\n';
   text.append(source.helpers) += '\n';
-  text += output_line(source, target) + '\n';
+  text += output_line(source, stage) + '\n';
   const std::string own = source.head + source.body + source.tail;
-  if (target != Target::compute) return text + own;
+  if (stage != ShaderStage::compute) return text + own;
   return text.append(in_compute(own)).append(compute_main);
 }
 
@@ -79,7 +80,7 @@ bool can_run_as_compute(const Pass& pass, std::string* why) {
     if (why != nullptr) *why = reason;
     return false;
   };
-  if (pass.kind != PassKind::image && pass.kind != PassKind::buffer) return no("the pass is not a picture");
+  if (!traits(pass).fills_frame()) return no("the pass is not a picture");
   if (pass.vertex.has_value()) return no("it has its own vertex shader");
   if (pass.source.own_output) return no("the shader declares its own output");
   const std::vector<Token> tokens = tokenize(pass.source.body);

@@ -6,18 +6,9 @@
 #include <string_view>
 
 #include "host/project/project.h"
+#include "host/text/shader_stage.h"
 
 namespace shadertwin {
-
-enum class Target {
-  fragment,
-  // A fragment pass as a compute shader, one invocation a pixel: data-centre GPUs run those many times
-  // faster. gl_FragCoord is that of a full-screen triangle at z = 0 (z is 0.5, w is 1). Pixel =
-  // gl_GlobalInvocationID.xy + the uniform ivec2 `shadertwin_origin`; those outside of iResolution return at
-  // once. A colour that the shader does not write is (0, 0, 0, 0).
-  compute,
-  vertex,
-};
 
 // Invocations of a compute group along x and y.
 constexpr int group_size = 8;
@@ -25,8 +16,8 @@ constexpr int group_size = 8;
 constexpr int compute_target_binding = 7;
 
 // GLSL ES 3.00, or 3.20 of a precise source; as compute 3.10 or 3.20. Every line of head, body and tail is
-// one line of the text, whatever the target.
-std::string render(const PassSource& source, Target target = Target::fragment);
+// one line of the text, whatever the stage.
+std::string render(const PassSource& source, ShaderStage stage = ShaderStage::fragment);
 
 // The lines of a text; what stands behind the last line end counts as one.
 int line_count(std::string_view text);

@@ -15,19 +15,19 @@ namespace {
 using Macros = std::vector<HostMacro>;
 
 // Those that a shader can ask for by #ifdef.
-Macros host_macros(const Project& project, Stage stage) {
+Macros host_macros(const Project& project, ShaderStage stage) {
   Macros macros;
   // Only local hosts have vertex shaders.
-  if (project.local || stage == Stage::vertex) macros.push_back({"SHADER_TOY", ""});
+  if (project.local || stage == ShaderStage::vertex) macros.push_back({"SHADER_TOY", ""});
   if (host_rules(project).has_performance) macros.push_back({"HW_PERFORMANCE", "1"});
   return macros;
 }
 
 // Other names, which the extension and three.js, which it draws with, give to what GLSL ES 3.00 has.
-Macros other_names(Stage stage) {
+Macros other_names(ShaderStage stage) {
   Macros names = {{"HW_PERFORMANCE", "1"}, {"saturate", "clamp(a, 0.0, 1.0)", {"a"}}};
   for (const auto& [name, meaning] : legacy_names) names.push_back({name, meaning});
-  if (stage == Stage::vertex)
+  if (stage == ShaderStage::vertex)
     names.insert(names.end(), {{"attribute", "in"}, {"varying", "out"}});
   else
     names.insert(names.end(), {{"varying", "in"},
@@ -48,7 +48,7 @@ std::string refusals(const Project& project, const PassSource& source, const Pla
 
 }  // namespace
 
-void resolve_macros(const Project& project, PassSource& source, Stage stage) {
+void resolve_macros(const Project& project, PassSource& source, ShaderStage stage) {
   PreprocessOptions options;
   options.predefined = host_macros(project, stage);
   // Files for a local host may ask for extensions in front of all; on the site there is code before them.
@@ -60,8 +60,8 @@ void resolve_macros(const Project& project, PassSource& source, Stage stage) {
     const std::vector<Token> written = tokenize(source.body);
     std::erase_if(names, [&](const HostMacro& macro) { return !mentions(written, macro.name); });
     // A text with the output of ES 1.00 and without the host's entry was written for that version.
-    options.es100 =
-        stage == Stage::fragment && mentions(written, "gl_FragColor") && !mentions(written, "mainImage");
+    options.es100 = stage == ShaderStage::fragment && mentions(written, "gl_FragColor") &&
+                    !mentions(written, "mainImage");
     if (!names.empty()) {
       // The shader's own meaning of a name wins.
       const std::string code = to_text(plain, lines);

@@ -3,15 +3,14 @@
 #pragma once
 
 #include "host/project/project.h"
+#include "host/text/shader_stage.h"
 
 namespace shadertwin {
-
-enum class Stage { fragment, vertex };
 
 // Resolves the directives and macros of source.body by browsers' rules, with the macros that stand in front
 // of it on the project's host. Lines stay where they are. source.written is then what the body was, and
 // source.refused says what a browser does not take.
-void resolve_macros(const Project& project, PassSource& source, Stage stage);
+void resolve_macros(const Project& project, PassSource& source, ShaderStage stage);
 
 // Throws Error(shader) if source.refused says anything.
 void throw_if_refused(const PassSource& source);

@@ -38,7 +38,7 @@ InspectorValues inspected(const Scene& scene) {
   Playing& playing = scene.playing;
   InspectorValues v;
   for (std::size_t i = 0; i < playing.project().passes.size(); ++i) {
-    const Picture picture = playing.stage().picture(static_cast<int>(i));
+    const ShownTexture picture = playing.stage().picture(static_cast<int>(i));
     if (picture.texture == 0) continue;
     const PixelPlace place = place_in(picture, scene.cursor);
     if (static_cast<int>(i) == playing.pass()) {

@@ -70,13 +70,13 @@ vec4 fetch_texel(ivec2 p) {
 }
 )";
 
-glm::ivec2 shown_size(const Picture& picture) {
+glm::ivec2 shown_size(const ShownTexture& picture) {
   return picture.target == GL_TEXTURE_CUBE_MAP ? picture.size * glm::ivec2(3, 2) : picture.size;
 }
 
 }  // namespace
 
-PixelPlace place_in(const Picture& picture, glm::dvec2 point) {
+PixelPlace place_in(const ShownTexture& picture, glm::dvec2 point) {
   const glm::ivec2 size = shown_size(picture);
   const glm::ivec2 texel =
       glm::clamp(glm::ivec2(glm::floor(point * glm::dvec2(size))), glm::ivec2(0), size - 1);
@@ -117,7 +117,7 @@ GLuint Presenter::compile(const char* sampler, const char* fetch) {
   return program;
 }
 
-void Presenter::draw(const Picture& picture, glm::ivec2 window, bool paint) {
+void Presenter::draw(const ShownTexture& picture, glm::ivec2 window, bool paint) {
   const bool cube = picture.target == GL_TEXTURE_CUBE_MAP;
   const GLuint program = cube ? cube_ : flat_;
   const glm::ivec2 size = shown_size(picture);
@@ -140,7 +140,7 @@ void Presenter::clear(glm::ivec2 window) {
   gl_.ClearBufferfv(GL_COLOR, 0, black.data());
 }
 
-glm::vec4 Presenter::pixel(const Picture& picture, const PixelPlace& place) {
+glm::vec4 Presenter::pixel(const ShownTexture& picture, const PixelPlace& place) {
   glm::vec4 value(0.0F);
   const GLenum target = picture.target == GL_TEXTURE_CUBE_MAP
                             ? static_cast<GLenum>(GL_TEXTURE_CUBE_MAP_POSITIVE_X + place.face)

@@ -10,7 +10,7 @@ namespace shadertwin::view {
 
 // A texture in the window's share group. Cubemaps have GL_TEXTURE_CUBE_MAP as their target, and the size of a
 // face.
-struct Picture {
+struct ShownTexture {
   GLenum target = GL_TEXTURE_2D;
   GLuint texture = 0;
   glm::ivec2 size{0};
@@ -24,7 +24,7 @@ struct PixelPlace {
 
 // Where the point (0 to 1 across the window, y up) lies in a picture. Faces of a cubemap stand in two rows of
 // three, -Y +Z -Z below +X -X +Y.
-PixelPlace place_in(const Picture& picture, glm::dvec2 point);
+PixelPlace place_in(const ShownTexture& picture, glm::dvec2 point);
 
 class Presenter {
  public:
@@ -36,11 +36,11 @@ class Presenter {
 
   // Fills a framebuffer of `window` pixels as a browser's canvas would, clamped and opaque. A larger picture
   // is averaged. `paint`: not-a-number is magenta, infinities are yellow (+) and cyan (-).
-  void draw(const Picture& picture, glm::ivec2 window, bool paint);
+  void draw(const ShownTexture& picture, glm::ivec2 window, bool paint);
   void clear(glm::ivec2 window);
 
   // One pixel, bit for bit. Waits for the device.
-  glm::vec4 pixel(const Picture& picture, const PixelPlace& place);
+  glm::vec4 pixel(const ShownTexture& picture, const PixelPlace& place);
 
  private:
   GLuint compile(const char* sampler, const char* fetch);

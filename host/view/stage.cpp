@@ -64,7 +64,7 @@ class SharedStage final : public Stage {
   }
   bool ready() override { return true; }
   void show(int) override {}
-  Picture picture(int pass) override {
+  ShownTexture picture(int pass) override {
     if (size_.x == 0) return {};
     drawn_.wait(window_.context().functions());
     const PassTraits& kind = traits(project_.passes[static_cast<std::size_t>(pass)]);
@@ -130,8 +130,8 @@ class UploadingStage final : public Stage {
     pending_pass_ = pass;
     pending_ = player_.ask([pass](Player& player) { return player.read(pass); });
   }
-  Picture picture(int pass) override {
-    return pass == uploaded_pass_ ? Picture{GL_TEXTURE_2D, texture_.name(), size_} : Picture{};
+  ShownTexture picture(int pass) override {
+    return pass == uploaded_pass_ ? ShownTexture{GL_TEXTURE_2D, texture_.name(), size_} : ShownTexture{};
   }
   Image read(int pass) override {
     if (pending_.valid()) upload();

@@ -27,7 +27,7 @@ class Stage {
   virtual void show(int pass) = 0;
   // What a pass holds; without a texture before its first frame, and where only the shown pass is at hand. To
   // be called with the window's context current. The window may look at it until it calls shown().
-  virtual Picture picture(int pass) = 0;
+  virtual ShownTexture picture(int pass) = 0;
   // The window has drawn the picture.
   virtual void shown() {}
   // What a pass holds. Waits for it.

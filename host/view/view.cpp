@@ -17,6 +17,7 @@
 #include "host/view/playing.h"
 #include "host/view/presenter.h"
 #include "host/view/reloader.h"
+#include "host/view/sample_count.h"
 #include "host/view/shown_text.h"
 #include "host/view/sound_output.h"
 #include "host/view/window.h"
@@ -42,10 +43,7 @@ class View {
         playing_(options.shader, load(options.shader)),
         clock_(options.clock, host_rules(playing_.project())),
         capture_(options.output.empty() ? stem_of(options.shader) : options.output),
-        sound_(options.sound_player,
-               [quiet = options.quiet](const std::string& line) {
-                 if (!quiet) std::fprintf(stderr, "%s\n", line.c_str());
-               }),
+        sound_(options.sound_player, [this](const std::string& line) { warn({line}); }),
         reloader_([this](const fs::path& shader) { return load(shader); }, options.shader, playing_.project(),
                   read_) {
     if (!options.pass.empty()) playing_.show(need_pass(playing_.project(), options.pass));
@@ -78,17 +76,20 @@ class View {
 
   Loaded load(const fs::path& shader) {
     Project project = load_project(shader, options_.load);
-    if (!options_.quiet)
-      for (const std::string& warning : all_warnings(project)) std::fprintf(stderr, "%s\n", warning.c_str());
+    warn(all_warnings(project));
     auto stage = options_.other_player ? make_uploading_stage(window_, project, options_.other_player)
                                        : make_shared_stage(window_, project, options_.player);
-    if (!options_.quiet)
-      for (const std::string& warning : stage->warnings()) std::fprintf(stderr, "%s\n", warning.c_str());
+    warn(stage->warnings());
     return {std::move(project), std::move(stage)};
   }
 
+  void warn(const std::vector<std::string>& lines) const {
+    if (!options_.quiet)
+      for (const std::string& line : lines) std::fprintf(stderr, "%s\n", line.c_str());
+  }
+
   void play_sound() {
-    sound_.play(playing_.project(), shader_date(options_.clock.date.value_or(Moment::now().date), 0.0));
+    sound_.play(playing_.project(), shader_date(options_.clock.date.value_or(ClockReading::now().date), 0.0));
   }
 
   void take(Reloader::Result result) {
@@ -97,7 +98,7 @@ class View {
     dashboard_.clear_problem();
     reloading_since_ = result.since;
     halted_at_.reset();
-    samples_start_.reset();
+    samples_.restart();
     const bool same =
         result.shader == playing_.shader() && result.loaded->project.dialect == playing_.project().dialect;
     frame_.reset();
@@ -139,12 +140,12 @@ class View {
           print_commands(event.position);
           break;
         }
-        set_button(event.code, true);
+        clock_.set_button(event.code, true);
         input(playing_.hears_mouse(),
               [&] { clock_.mouse().press(canvas_.to_picture(event.position), canvas_.size()); });
         break;
       case Event::Kind::button_up:
-        set_button(event.code, false);
+        clock_.set_button(event.code, false);
         if (clock_.mouse().down()) input(playing_.hears_mouse(), [&] { clock_.mouse().release(); });
         break;
       case Event::Kind::move:
@@ -166,14 +167,8 @@ class View {
   void input(bool heard, Change change) {
     change();
     if (!heard) return;
-    samples_start_.reset();
+    samples_.restart();
     if (clock_.paused()) clock_.force();
-  }
-
-  void set_button(int button, bool down) {
-    if (button == 0) left_ = down;
-    if (button == 1) right_ = down;
-    clock_.set_buttons(left_, right_);
   }
 
   void perform(Action action) {
@@ -181,7 +176,7 @@ class View {
     switch (action) {
       case Action::reset:
         clock_.reset();
-        samples_start_.reset();
+        samples_.restart();
         break;
       case Action::pause:
         clock_.set_paused(!clock_.paused());
@@ -247,7 +242,7 @@ class View {
 
   void print_commands(glm::dvec2 position) {
     if (!frame_.has_value()) return;
-    const Picture picture = playing_.stage().picture(playing_.pass());
+    const ShownTexture picture = playing_.stage().picture(playing_.pass());
     if (picture.texture == 0) return;
     const std::string pass = playing_.shows_last() ? "" : playing_.shown().name;
     const FrameCommand command{playing_.shader().string(), all_options(), options_.clock.rate.value_or(0.0),
@@ -294,18 +289,14 @@ class View {
       if (halted_at_.has_value()) dashboard_.clear_problem();
       halted_at_.reset();
       pixels_ = size;
-      const Moment now = Moment::now();
+      const ClockReading now = ClockReading::now();
       Frame frame = clock_.next(now, size);
       if (clock_.paused())
         sound_.rest();
       else
         sound_.follow(frame.time, now.seconds, clock_.by_frames());
       frame.uniforms = playing_.uniforms().values();
-      if (!samples_start_.has_value() || frame.index == 0) {
-        samples_start_ = Clock::now();
-        samples_ = 0;
-      }
-      ++samples_;
+      samples_.add(frame.index == 0);
       playing_.stage().draw(frame);
       frame_ = frame;
       if (screenshot_due_) attempt([this] { screenshot(); });
@@ -328,7 +319,7 @@ class View {
   void present(glm::ivec2 pixels) {
     const auto start = Clock::now();
     window_.context().make_current();
-    const Picture picture = playing_.stage().picture(playing_.pass());
+    const ShownTexture picture = playing_.stage().picture(playing_.pass());
     if (picture.texture != 0 && !halted_at_.has_value())
       presenter_.draw(picture, pixels, dashboard_.paints());
     else
@@ -359,9 +350,9 @@ class View {
                 .sample_seconds = 0.0,
                 .recorded = capture_.recorded(),
                 .cursor = canvas_.across(cursor_)};
-    if (playing_.accumulates() && samples_start_.has_value()) {
-      scene.samples = samples_;
-      scene.sample_seconds = std::chrono::duration<double>(Clock::now() - *samples_start_).count();
+    if (playing_.accumulates()) {
+      scene.samples = samples_.count();
+      scene.sample_seconds = samples_.seconds();
     }
     return scene;
   }
@@ -383,11 +374,7 @@ class View {
   Capture capture_;
   SoundOutput sound_;
 
-  int samples_ = 0;
-  std::optional<Clock::time_point> samples_start_;
-
-  bool left_ = false;
-  bool right_ = false;
+  SampleCount samples_;
   glm::dvec2 cursor_{0.0};
 
   int settling_ = settling_frames;  // frames to show although nothing moves

@@ -22,7 +22,6 @@ constexpr std::string_view vscode_only[] = {"saturate",       "gl_FragColor", "t
                                             "isKeyReleased",  "iViewMatrix",  "iChannel4",    "iChannel5",
                                             "iChannel6",      "iChannel7",    "iChannel8",    "iChannel9"};
 constexpr std::string_view site_only[] = {"iChannelTime", "iFrameRate", "HW_PERFORMANCE"};
-constexpr std::string_view site_entries[] = {"mainSound", "mainCubemap"};
 constexpr std::string_view channel_structs[] = {"iCh0", "iCh1", "iCh2", "iCh3"};
 
 // What stands in front of the user's text on shadertoy.com, so that the text can't declare it again.
@@ -39,6 +38,12 @@ constexpr std::string_view vscode_globals[] = {"viewMatrix", "cameraPosition", "
 template <std::size_t N>
 bool among(const std::string_view (&names)[N], std::string_view name) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+// Whether shadertoy.com alone calls a function of that name.
+bool is_site_entry(std::string_view name) {
+  return std::any_of(pass_kinds.begin(), pass_kinds.end(),
+                     [&](const PassTraits& kind) { return !kind.in_extension && kind.entry == name; });
 }
 
 bool starts(std::string_view text, std::string_view prefix) {
@@ -164,7 +169,7 @@ class TextRules {
     if (name == "out" && before_ == "in") add("webgl2", "`in out`: browsers want `inout`");
     if (calls && name == "main" && before_ == "void" && audience_.site())
       own_host("main() is shadertoy.com's own, which refuses another one");
-    if (calls && among(site_entries, name) && audience_.extension())
+    if (calls && is_site_entry(name) && audience_.extension())
       add("portability", quoted + " is called on shadertoy.com, not in the VS Code extension");
     if (variable && among(site_uniforms, name) && audience_.site())
       own_host(quoted + " is there already on shadertoy.com, which refuses to declare it again");

@@ -49,7 +49,7 @@ Project read(const Arguments& arguments) {
   pass.source.own_output = true;
   pass.source.body = body.text();
   pass.source.lines = body.lines();
-  resolve_macros(project, pass.source, Stage::fragment);
+  resolve_macros(project, pass.source, ShaderStage::fragment);
   project.passes.push_back(pass);
   return project;
 }

@@ -6,7 +6,7 @@ namespace shadertwin::emit {
 
 void Masks::open() {
   masks_.push_back(names_.take("active"));
-  frames_.push_back({Frame::Kind::function, "", 0, false});
+  scopes_.push_back({Scope::Kind::function, "", 0, false});
 }
 
 std::string Masks::from(std::size_t first) const {
@@ -19,28 +19,28 @@ void Masks::leave(std::size_t first, const std::string& also) {
   out_.statement("mask_out__(" + from(first) + (also.empty() ? "" : ", " + also) + ")");
 }
 
-const Masks::Frame& Masks::innermost(bool is_break) const {
-  return *std::find_if(frames_.rbegin(), frames_.rend(), [&](const Frame& frame) {
-    return frame.kind == Frame::Kind::loop || (is_break && frame.kind == Frame::Kind::choice);
+const Masks::Scope& Masks::innermost(bool is_break) const {
+  return *std::find_if(scopes_.rbegin(), scopes_.rend(), [&](const Scope& scope) {
+    return scope.kind == Scope::Kind::loop || (is_break && scope.kind == Scope::Kind::choice);
   });
 }
 
 void Masks::leave_by_break() {
-  const Frame& frame = innermost(true);
-  if (frame.kind == Frame::Kind::loop && frame.loop_mask.empty()) return out_.statement("break");
-  leave(frame.outside, frame.loop_mask);
+  const Scope& scope = innermost(true);
+  if (scope.kind == Scope::Kind::loop && scope.loop_mask.empty()) return out_.statement("break");
+  leave(scope.outside, scope.loop_mask);
 }
 
 void Masks::leave_by_continue() {
-  const Frame& frame = innermost(false);
+  const Scope& scope = innermost(false);
   // Where all that run leave the body, C++ says so.
-  if (masks_.size() == frame.outside) return out_.statement("continue");
-  leave(frame.outside);
+  if (masks_.size() == scope.outside) return out_.statement("continue");
+  leave(scope.outside);
 }
 
 void Masks::continue_if_empty() {
-  const Frame& frame = frames_.back();
-  if (frame.kind == Frame::Kind::loop && frame.can_continue && masks_.size() > frame.outside)
+  const Scope& scope = scopes_.back();
+  if (scope.kind == Scope::Kind::loop && scope.can_continue && masks_.size() > scope.outside)
     out_.statement("if (none__(" + current() + ")) continue");
 }
 

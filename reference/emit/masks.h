@@ -48,13 +48,13 @@ class Masks {
   void leave_by_continue();
   void leave_by_return() { leave(0); }
   // Whether statements stand in the function itself, outside of everything that jumps could leave.
-  bool is_in_function() const { return frames_.back().kind == Frame::Kind::function; }
+  bool is_in_function() const { return scopes_.back().kind == Scope::Kind::function; }
   // Nothing is left to do in a loop's body that all pixels have left.
   void continue_if_empty();
 
  private:
   // What a jump may leave.
-  struct Frame {
+  struct Scope {
     enum class Kind { function, branch, loop, choice } kind;
     std::string loop_mask;    // what `break` leaves too; empty if all pixels leave together
     std::size_t outside = 0;  // how many masks there are around it
@@ -62,25 +62,25 @@ class Masks {
   };
 
   template <class Body>
-  void within(const std::string& mask, const Frame& frame, const Body& body);
+  void within(const std::string& mask, const Scope& scope, const Body& body);
   std::string from(std::size_t first) const;
   // The masks from the innermost to number `first`, and `also`.
   void leave(std::size_t first, const std::string& also = {});
-  const Frame& innermost(bool is_break) const;
+  const Scope& innermost(bool is_break) const;
 
   CppWriter& out_;
   NameScope& names_;
   std::vector<std::string> masks_;
-  std::vector<Frame> frames_;
+  std::vector<Scope> scopes_;
 };
 
 template <class Body>
-void Masks::within(const std::string& mask, const Frame& frame, const Body& body) {
-  frames_.push_back(frame);
+void Masks::within(const std::string& mask, const Scope& scope, const Body& body) {
+  scopes_.push_back(scope);
   if (!mask.empty()) masks_.push_back(mask);
   body();
   if (!mask.empty()) masks_.pop_back();
-  frames_.pop_back();
+  scopes_.pop_back();
 }
 
 template <class Body>
@@ -88,7 +88,7 @@ void Masks::where(const Expression& condition, const Body& body) {
   const std::string inner = names_.take("active");
   out_.begin("if (Bool " + inner + " = " + current() + " && " + condition.at_least(Binding::prefix) +
              "; any__(" + inner + "))");
-  within(inner, {Frame::Kind::branch, "", masks_.size(), false}, body);
+  within(inner, {Scope::Kind::branch, "", masks_.size(), false}, body);
   out_.end();
   names_.give_back(inner);
 }
@@ -96,7 +96,7 @@ void Masks::where(const Expression& condition, const Body& body) {
 template <class Body>
 void Masks::group(const std::string& mask, const Body& body) {
   out_.begin("if (any__(" + mask + "))");
-  within(mask, {Frame::Kind::choice, "", masks_.size(), false}, body);
+  within(mask, {Scope::Kind::choice, "", masks_.size(), false}, body);
   out_.end();
 }
 
@@ -114,11 +114,11 @@ void Masks::loop(const Body& body) {
 
 template <class Body>
 void Masks::loop_body(const std::string& loop_mask, bool own_mask, bool can_continue, const Body& body) {
-  const Frame frame{Frame::Kind::loop, loop_mask, masks_.size(), can_continue};
-  if (!own_mask) return within("", frame, body);
+  const Scope scope{Scope::Kind::loop, loop_mask, masks_.size(), can_continue};
+  if (!own_mask) return within("", scope, body);
   const std::string inner = names_.take("active");
   out_.statement("Bool " + inner + " = " + current());
-  within(inner, frame, body);
+  within(inner, scope, body);
   names_.give_back(inner);
 }
 

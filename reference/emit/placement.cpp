@@ -12,7 +12,7 @@ using namespace glslang;
 namespace {
 
 // A block on the way from the function's body to a use.
-struct Frame {
+struct EnclosingBlock {
   const Block* block = nullptr;
   int statement = 0;
   // The tokens where the rounds of the loops between this block and the one around it begin: behind the
@@ -23,7 +23,7 @@ struct Frame {
 
 struct Uses {
   const TIntermSymbol* symbol = nullptr;
-  std::vector<Frame> path;  // of the first use, cut to what all uses share
+  std::vector<EnclosingBlock> path;  // of the first use, cut to what all uses share
   int first_token = 0;
 };
 
@@ -35,11 +35,11 @@ class UseCollector : public TIntermTraverser {
   std::map<SymbolId, Uses> uses;
 
   void statements(const Block& block, bool is_switch) {
-    frames_.push_back({&block, 0, std::move(loops_), is_switch});
+    blocks_.push_back({&block, 0, std::move(loops_), is_switch});
     loops_.clear();
     const TIntermSequence& sequence = block.getSequence();
     for (int i = 0; i < static_cast<int>(sequence.size()); ++i) {
-      frames_.back().statement = i;
+      blocks_.back().statement = i;
       if (is_declaration_list(program_.tree(), *sequence[i])) {
         for (TIntermNode* declaration : sequence[i]->getAsAggregate()->getSequence())
           declaration->traverse(this);
@@ -47,8 +47,8 @@ class UseCollector : public TIntermTraverser {
         sequence[i]->traverse(this);
       }
     }
-    loops_ = std::move(frames_.back().loops);
-    frames_.pop_back();
+    loops_ = std::move(blocks_.back().loops);
+    blocks_.pop_back();
   }
 
   bool visitAggregate(TVisit, TIntermAggregate* node) override {
@@ -82,10 +82,10 @@ class UseCollector : public TIntermTraverser {
   void visitSymbol(TIntermSymbol* symbol) override {
     const SymbolId id = symbol->getId();
     if (program_.is_global(id) || parameters_.count(id) != 0 || symbol->getQualifier().isPipeInput()) return;
-    const std::vector<Frame>& here = frames_;
+    const std::vector<EnclosingBlock>& here = blocks_;
     const auto [found, is_first] = uses.emplace(id, Uses{symbol, here, program_.tree().token_of(*symbol)});
     if (is_first) return;
-    std::vector<Frame>& shared = found->second.path;
+    std::vector<EnclosingBlock>& shared = found->second.path;
     std::size_t length = 0;
     while (length < std::min(shared.size(), here.size()) && shared[length].block == here[length].block)
       ++length;
@@ -102,15 +102,15 @@ class UseCollector : public TIntermTraverser {
 
   const Program& program_;
   std::set<SymbolId> parameters_;
-  std::vector<Frame> frames_;
+  std::vector<EnclosingBlock> blocks_;
   std::vector<int> loops_;
 };
 
 // A variable that is declared in front of a loop keeps its value from round to round, even if every use is
 // inside.
-bool leaves_loop(const std::vector<Frame>& path, int declaration) {
-  for (const Frame& frame : path) {
-    for (const int loop : frame.loops) {
+bool leaves_loop(const std::vector<EnclosingBlock>& path, int declaration) {
+  for (const EnclosingBlock& enclosing : path) {
+    for (const int loop : enclosing.loops) {
       if (declaration < loop) return true;
     }
   }
@@ -118,8 +118,8 @@ bool leaves_loop(const std::vector<Frame>& path, int declaration) {
 }
 
 // Behind a for loop's initialiser and before the loop itself there is no room in C++.
-bool is_in_front_of_loop(const Program& program, const Frame& frame) {
-  const TIntermNode* statement = frame.block->getSequence()[frame.statement];
+bool is_in_front_of_loop(const Program& program, const EnclosingBlock& enclosing) {
+  const TIntermNode* statement = enclosing.block->getSequence()[enclosing.statement];
   return statement->getAsLoopNode() != nullptr && program.tree().token_text(*statement) == "for";
 }
 
@@ -155,7 +155,7 @@ Placement::Placement(const Program& program, const Function& function) {
             [](const Uses& a, const Uses& b) { return a.symbol->getId() < b.symbol->getId(); });
   for (Uses& variable : variables) {
     const int declaration = program.tree().declarations().declaration_of(variable.first_token);
-    std::vector<Frame>& path = variable.path;
+    std::vector<EnclosingBlock>& path = variable.path;
     while (path.size() > 1 && (path.back().is_switch || is_in_front_of_loop(program, path.back()) ||
                                (declaration >= 0 && leaves_loop(path, declaration))))
       path.pop_back();

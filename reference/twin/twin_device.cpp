@@ -11,6 +11,7 @@
 
 #include "host/base/error.h"
 #include "host/player/device.h"
+#include "host/project/kinds.h"
 #include "host/text/pipeline.h"
 #include "host/text/render.h"
 #include "reference/emit/emit_cpp.h"
@@ -37,7 +38,7 @@ class TwinDevice final : public Device {
     compile_missing();
     modules_.resize(project.passes.size());
     for (std::size_t i = 0; i < modules_.size(); ++i)
-      if (project.passes[i].kind != PassKind::sound) modules_[i] = load(this->project().passes[i]);
+      if (traits(project.passes[i]).every_frame) modules_[i] = load(this->project().passes[i]);
   }
 
   void begin() override { deadline_.emplace(options_.timeout); }
@@ -140,7 +141,7 @@ class TwinDevice final : public Device {
       std::string text = emit_cpp(project(), pass, emit_options());
       // An error in a sound keeps shadertoy.com from playing the pictures; it is compiled when it is to be
       // heard.
-      if (pass.kind != PassKind::sound) jobs.push_back({object, std::move(text), compile_options(pass)});
+      if (traits(pass).every_frame) jobs.push_back({object, std::move(text), compile_options(pass)});
     }
     if (jobs.empty()) return;
     std::sort(jobs.begin(), jobs.end(),
@@ -196,7 +197,7 @@ class TwinDevice final : public Device {
     const glm::ivec2 size = target.size();
     Rectangle region{0, 0, size.x, size.y};
     if (options_.region && call.pass + 1 == modules_.size() &&
-        project().passes[call.pass].kind != PassKind::sound)
+        traits(project().passes[call.pass]).every_frame)
       region = clipped(*options_.region, size);
     const auto row = static_cast<std::size_t>(size.x);
     const std::size_t first = row * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(face);

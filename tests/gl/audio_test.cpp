@@ -17,7 +17,7 @@ Project music_shader(const ScratchFolder& folder, bool muted) {
     "outputs": [{"id": 37, "channel": 0}],
     "inputs": [{"id": 1, "channel": 1, "ctype": "music", "src": "/media/a/none.mp3"}],
     "code": "void mainImage(out vec4 c, vec2 p) { c.rg = texelFetch(iChannel1, ivec2(p) * ivec2(64, 1), 0).rg; c.b = iChannelTime[1] + texelFetch(iChannel1, ivec2(p), 0).b; }"}]}})");
-  return load_project(shader, {.muted = muted});
+  return load_project(shader, {.settings = {.muted = muted}});
 }
 
 TEST_P(Audio, MissingMusicIsSilent) {

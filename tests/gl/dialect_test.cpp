@@ -18,7 +18,7 @@ void mainImage(out vec4 c, in vec2 p) {
 }
 )"));
   const auto player = play(project);
-  Keyboard keyboard(host_rules(Dialect::vscode));
+  KeyboardState keyboard(host_rules(Dialect::vscode));
   const auto next = [&] {
     Frame frame;
     frame.width = 3;

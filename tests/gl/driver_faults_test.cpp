@@ -16,7 +16,7 @@ class DriverFaults : public OnEveryDevice {
     const std::filesystem::path shaders =
         std::filesystem::path(SHADERTWIN_SOURCE_DIR) / "tests/emit/shaders/green";
     const Project project =
-        load_project(shaders / shader, {.dialect = Dialect::shadertoy, .undefined = undefined});
+        load_project(shaders / shader, {.settings = {.undefined = undefined}, .dialect = Dialect::shadertoy});
     return pixel(frames(project, 1, small()).back()) == glm::vec4(0, 1, 0, 1);
   }
 

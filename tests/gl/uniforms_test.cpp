@@ -117,7 +117,7 @@ TEST_P(UniformsInShaders, DefinesOfTheCommandLineReachEveryPass) {
 void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0) + KNOB; }
 )");
   LoadOptions options;
-  options.defines = {{"KNOB", "3.0"}};
+  options.settings.defines = {{"KNOB", "3.0"}};
   EXPECT_EQ(pixel(frames(load_project(shader, options), 1, small())[0]), glm::vec4(6));
 }
 

@@ -24,7 +24,8 @@ void mainImage(out vec4 c, in vec2 p) { c = vec4(across, p.x, 1); }
 
 TEST_P(Vertex, TwoTrianglesFromSixVerticesCarryTheirOutputs) {
   folder.write("v.glsl", covers);
-  const Project project = load_project(folder.write("x.glsl", shows), {.defines = {{"SCALE", "1.0"}}});
+  const Project project =
+      load_project(folder.write("x.glsl", shows), {.settings = {.defines = {{"SCALE", "1.0"}}}});
   const Image image = frames(project, 1, small(4, 2)).back();
   for (int y = 0; y < 2; ++y)
     for (int x = 0; x < 4; ++x) {
@@ -37,11 +38,13 @@ TEST_P(Vertex, TwoTrianglesFromSixVerticesCarryTheirOutputs) {
 TEST_P(Vertex, WhatNoTriangleCoversIsZeroAndBacksAreNotDrawn) {
   folder.write("v.glsl", covers);
   const auto shader = folder.write("x.glsl", shows);
-  const Image half = frames(load_project(shader, {.defines = {{"SCALE", "0.5"}}}), 2, small(4, 2)).back();
+  const Image half =
+      frames(load_project(shader, {.settings = {.defines = {{"SCALE", "0.5"}}}}), 2, small(4, 2)).back();
   EXPECT_EQ(pixel(half, 0, 0), glm::vec4(0));
   EXPECT_EQ(pixel(half, 3, 1), glm::vec4(0));
   EXPECT_EQ(pixel(half, 1, 0).a, 1.0F);
-  const Image back = frames(load_project(shader, {.defines = {{"SCALE", "(-1.0)"}}}), 1, small(4, 2)).back();
+  const Image back =
+      frames(load_project(shader, {.settings = {.defines = {{"SCALE", "(-1.0)"}}}}), 1, small(4, 2)).back();
   EXPECT_EQ(pixel(back, 1, 0), glm::vec4(0)) << "mirrored, the triangles turn their backs";
 }
 
@@ -66,7 +69,8 @@ void main() { gl_FragColor = seen; }
 
 TEST_P(Vertex, RunsAsFragmentsAndSaysSo) {
   folder.write("v.glsl", covers);
-  const Project project = load_project(folder.write("x.glsl", shows), {.defines = {{"SCALE", "1.0"}}});
+  const Project project =
+      load_project(folder.write("x.glsl", shows), {.settings = {.defines = {{"SCALE", "1.0"}}}});
   const auto player = play(project);
   EXPECT_NE(player->description().find("/fragment"), std::string::npos);
   if (GetParam().dispatch == gl::Dispatch::compute)
@@ -78,7 +82,8 @@ TEST_P(Vertex, RunsAsFragmentsAndSaysSo) {
 
 TEST_P(Vertex, ErrorsNameItsOwnFileAndLine) {
   folder.write("v.glsl", "void main() {\n  gl_Position = vec4(nothing);\n}\n");
-  const Project project = load_project(folder.write("x.glsl", shows), {.defines = {{"SCALE", "1.0"}}});
+  const Project project =
+      load_project(folder.write("x.glsl", shows), {.settings = {.defines = {{"SCALE", "1.0"}}}});
   try {
     play(project);
     FAIL() << "it compiles";

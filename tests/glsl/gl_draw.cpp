@@ -19,7 +19,7 @@ std::string fragment_shader(const std::string& shader) {
   source.body = shader;
   source.tail = "void main() { mainImage(shadertoy_out_color, gl_FragCoord.xy); }\n";
   Project project;
-  resolve_macros(project, source, Stage::fragment);
+  resolve_macros(project, source, ShaderStage::fragment);
   return render(define_undefined(project, source).value());
 }
 

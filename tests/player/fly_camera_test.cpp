@@ -17,7 +17,7 @@ const double step_angle = 2.0 * std::atan(0.1 * glm::pi<double>() / 24.0);
 
 // The camera after `steps` frames with a key held.
 glm::mat4 after(const std::string& key, int steps) {
-  Keyboard keyboard(host_rules(Dialect::vscode));
+  KeyboardState keyboard(host_rules(Dialect::vscode));
   keyboard.press(key_code(key).value());
   FlyCamera camera;
   for (int i = 0; i < steps; ++i) camera.step(keyboard, {0.0, 0.0});
@@ -49,7 +49,7 @@ TEST(FlyCamera, ArrowsAndQAndETurnItByTheExtensionsStep) {
 }
 
 TEST(FlyCamera, GoesWhereItLooks) {
-  Keyboard keyboard(host_rules(Dialect::vscode));
+  KeyboardState keyboard(host_rules(Dialect::vscode));
   keyboard.press(39);
   FlyCamera camera;
   for (int i = 0; i < 10; ++i) camera.step(keyboard, {0.0, 0.0});
@@ -62,18 +62,18 @@ TEST(FlyCamera, GoesWhereItLooks) {
 
 TEST(FlyCamera, MouseAtTheEdgeTurnsAsAnArrowAndHalfWayHalfAsFast) {
   FlyCamera by_mouse;
-  for (int i = 0; i < 10; ++i) by_mouse.step(Keyboard(host_rules(Dialect::vscode)), {1.0, 0.0});
+  for (int i = 0; i < 10; ++i) by_mouse.step(KeyboardState(host_rules(Dialect::vscode)), {1.0, 0.0});
   EXPECT_EQ(by_mouse.matrix(), after("right", 10));
   FlyCamera upwards;
-  for (int i = 0; i < 10; ++i) upwards.step(Keyboard(host_rules(Dialect::vscode)), {0.0, 1.0});
+  for (int i = 0; i < 10; ++i) upwards.step(KeyboardState(host_rules(Dialect::vscode)), {0.0, 1.0});
   EXPECT_EQ(upwards.matrix(), after("up", 10));
   FlyCamera half;
-  half.step(Keyboard(host_rules(Dialect::vscode)), {0.5, 0.0});
+  half.step(KeyboardState(host_rules(Dialect::vscode)), {0.5, 0.0});
   EXPECT_NEAR(half.matrix()[2].x, std::sin(0.5 * step_angle), 1e-5);
 }
 
 TEST(FlyCamera, KeyPressedWithAltDoesNotSteer) {
-  Keyboard keyboard(host_rules(Dialect::vscode));
+  KeyboardState keyboard(host_rules(Dialect::vscode));
   keyboard.press(18);
   keyboard.press('W');
   FlyCamera camera;
@@ -123,7 +123,7 @@ TEST(FlyCamera, ScheduledDragTurnsButAPressAloneDoesNot) {
 TEST(FlyCamera, LiveCameraRestsWhilePausedAndReturnsOnReset) {
   LiveClock clock({}, host_rules(Dialect::vscode));
   clock.keyboard().press('W');
-  Moment now;
+  ClockReading now;
   expect_close(clock.next(now, {64, 36}).view[3], {0, 0, 0.1F});
   clock.set_paused(true);
   clock.force();

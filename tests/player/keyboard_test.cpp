@@ -6,7 +6,7 @@ namespace shadertwin {
 namespace {
 
 // Held, pressed, toggled, released of one key, as 0 or 1.
-std::array<int, 4> rows_of(const Keyboard& keyboard, int code) {
+std::array<int, 4> rows_of(const KeyboardState& keyboard, int code) {
   std::array<int, 4> rows{};
   for (std::size_t row = 0; row < 4; ++row)
     rows[row] = keyboard.rows()[row * 256 + static_cast<std::size_t>(code)] == 255 ? 1 : 0;
@@ -16,7 +16,7 @@ std::array<int, 4> rows_of(const Keyboard& keyboard, int code) {
 using Rows = std::array<int, 4>;
 
 TEST(Keyboard, ShowsAPressForOneFrameAndTogglesOnEveryPress) {
-  Keyboard keyboard(host_rules(Dialect::shadertoy));
+  KeyboardState keyboard(host_rules(Dialect::shadertoy));
   keyboard.press(65);
   EXPECT_EQ(rows_of(keyboard, 65), (Rows{1, 1, 1, 0}));
   keyboard.end_frame();
@@ -29,7 +29,7 @@ TEST(Keyboard, ShowsAPressForOneFrameAndTogglesOnEveryPress) {
 }
 
 TEST(Keyboard, IgnoresAutoRepeat) {
-  Keyboard keyboard(host_rules(Dialect::shadertoy));
+  KeyboardState keyboard(host_rules(Dialect::shadertoy));
   keyboard.press(65);
   keyboard.end_frame();
   keyboard.press(65);
@@ -37,22 +37,22 @@ TEST(Keyboard, IgnoresAutoRepeat) {
 }
 
 TEST(Keyboard, TapBetweenFramesShowsOnlyInTheToggleRowOnTheSite) {
-  Keyboard site(host_rules(Dialect::shadertoy));
+  KeyboardState site(host_rules(Dialect::shadertoy));
   site.press(32);
   site.release(32);
   EXPECT_EQ(rows_of(site, 32), (Rows{0, 0, 1, 1}));
-  Keyboard extension(host_rules(Dialect::vscode));
+  KeyboardState extension(host_rules(Dialect::vscode));
   extension.press(32);
   extension.release(32);
   EXPECT_EQ(rows_of(extension, 32), (Rows{0, 1, 1, 1}));
 }
 
 TEST(Keyboard, IgnoresCodesItHasNoColumnFor) {
-  Keyboard keyboard(host_rules(Dialect::shadertoy));
+  KeyboardState keyboard(host_rules(Dialect::shadertoy));
   keyboard.press(-1);
   keyboard.press(256);
   keyboard.release(65);
-  EXPECT_EQ(keyboard.rows(), Keyboard::Rows{});
+  EXPECT_EQ(keyboard.rows(), KeyboardState::Rows{});
 }
 
 TEST(KeyCode, KnowsNamesLettersDigitsFunctionKeysAndNumbers) {

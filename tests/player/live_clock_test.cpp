@@ -7,11 +7,11 @@ namespace {
 
 constexpr glm::ivec2 size(64, 36);
 
-Moment at(double seconds) {
-  Moment moment;
-  moment.seconds = seconds;
-  moment.date = {2025, 3, 14, 7200.25};
-  return moment;
+ClockReading at(double seconds) {
+  ClockReading reading;
+  reading.seconds = seconds;
+  reading.date = {2025, 3, 14, 7200.25};
+  return reading;
 }
 
 TEST(LiveClock, TimeRunsWithTheClockFromZero) {
@@ -141,12 +141,12 @@ TEST(LiveClock, FrameRateIsAnAverageOverHalfASecond) {
 TEST(LiveClock, ButtonsAndMouseReachTheFrame) {
   LiveClock clock({}, host_rules(Dialect::vscode));
   clock.mouse().press({3.0, 4.0}, size);
-  clock.set_buttons(false, true);
+  clock.set_button(1, true);
   Frame frame = clock.next(at(0.0), size);
   EXPECT_EQ(frame.mouse, glm::vec4(3, 4, 3, 4));
   EXPECT_EQ(frame.mouse_button, glm::vec4(0, 1, 0, 0));
   clock.mouse().release();
-  clock.set_buttons(false, false);
+  clock.set_button(1, false);
   frame = clock.next(at(1.0), size);
   EXPECT_EQ(frame.mouse, glm::vec4(3, 4, -3, -4));
   EXPECT_EQ(frame.mouse_button, glm::vec4(0));

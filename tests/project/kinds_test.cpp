@@ -18,8 +18,7 @@ TEST(InputKinds, HaveNamesOfTheirOwn) {
   std::set<std::string_view> site_names;
   for (const InputKindInfo& kind : input_kinds) {
     EXPECT_TRUE(names.insert(kind.name).second) << kind.name;
-    // A pass is called the same whether it is there or not.
-    if (kind.source == InputSource::undrawn) continue;
+    if (kind.source == InputSource::undrawn) continue;  // it is called as its kind of pass
     EXPECT_TRUE(site_names.insert(kind.site_name).second) << kind.name;
   }
 }

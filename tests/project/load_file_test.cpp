@@ -52,7 +52,7 @@ TEST(LoadFile, PutsDefinesInFrontOfEveryPass) {
   const TempFolder folder;
   folder.write("b.glsl", empty_image);
   const auto file = folder.write("a.glsl", "#iChannel0 \"b.glsl\"\n" + std::string(empty_image));
-  const Project project = load_project(file, {.defines = {{"N", "4"}, {"FAST", ""}}});
+  const Project project = load_project(file, {.settings = {.defines = {{"N", "4"}, {"FAST", ""}}}});
   for (const Pass& pass : project.passes) {
     EXPECT_TRUE(pass.source.written.starts_with("#define N 4\n#define FAST \n")) << pass.source.written;
     EXPECT_EQ(place(project, pass, 0), "host:0");
@@ -259,9 +259,10 @@ TEST(LoadFile, RefusesDefinesThatGlslCannotHave) {
   const TempFolder folder;
   const auto file = folder.write("a.glsl", empty_image);
   for (const char* name : {"", "1X", "A B", "F(x)", "a-b"})
-    EXPECT_TRUE(load_error(folder, file, ExitStatus::usage, {.defines = {{name, "1"}}}).starts_with("-D "))
+    EXPECT_TRUE(load_error(folder, file, ExitStatus::usage, {.settings = {.defines = {{name, "1"}}}})
+                    .starts_with("-D "))
         << name;
-  EXPECT_NE(load_error(folder, file, ExitStatus::usage, {.defines = {{"A", "1\n2"}}}), "");
+  EXPECT_NE(load_error(folder, file, ExitStatus::usage, {.settings = {.defines = {{"A", "1\n2"}}}}), "");
 }
 
 TEST(FindPass, ForgivesCaseSpacesAndUnderscores) {

@@ -82,6 +82,33 @@ TEST(LoadFolder, BindsChannelsByItsSettings) {
   EXPECT_EQ(sky.sampler.min, MinFilter::nearest);
 }
 
+TEST(LoadFolder, FindsTabsByTheirShortNames) {
+  const TempFolder folder;
+  folder.write("image.glsl", empty_image);
+  folder.write("bufA.glsl", empty_image);
+  folder.write("buf_d.frag", empty_image);
+  folder.write("cubemap.glsl", "void mainCubemap(out vec4 c, in vec2 p, in vec3 o, in vec3 d) {}\n");
+  std::vector<std::string> names;
+  for (const Pass& pass : load_project(folder.path()).passes) names.push_back(pass.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"Buffer A", "Buffer D", "Cubemap A", "Image"}));
+}
+
+TEST(LoadFolder, BindsAPassThatItLacksByTheKindOfIt) {
+  const TempFolder folder;
+  folder.write("image.glsl", empty_image);
+  folder.write("shadertoy.json", R"({"Image": {"iChannel0": {"missing pass": "cubemap"},
+                                               "iChannel1": {"missing pass": "buffer"}}})");
+  const Pass pass = load_project(folder.path()).passes[0];
+  EXPECT_EQ(pass.inputs[0].kind, InputKind::undrawn);
+  EXPECT_EQ(pass.inputs[0].undrawn, PassKind::cubemap);
+  EXPECT_EQ(pass.inputs[1].undrawn, PassKind::buffer);
+  EXPECT_NE(pass.source.head.find("uniform samplerCube iChannel0;"), std::string::npos);
+  EXPECT_NE(pass.source.head.find("uniform sampler2D iChannel1;"), std::string::npos);
+  folder.write("shadertoy.json", R"({"Image": {"iChannel0": {"missing pass": "sound"}}})");
+  EXPECT_EQ(load_error(folder, folder.path(), ExitStatus::file),
+            "shadertoy.json: error: Image.iChannel0.missing pass is no kind of pass that is read: \"sound\"");
+}
+
 TEST(LoadFolder, ReportsBrokenSettings) {
   const TempFolder folder;
   folder.write("image.glsl", empty_image);

@@ -274,7 +274,8 @@ TEST_F(LoadJson, GivesAnEmptyChannelTheSamplerOfWhatIsMissing) {
   EXPECT_NE(head.find("uniform sampler3D iChannel1;"), std::string::npos);
   EXPECT_NE(head.find("uniform samplerCube iChannel2;"), std::string::npos);
   EXPECT_NE(head.find("uniform sampler2D iChannel3;"), std::string::npos);
-  EXPECT_EQ(project.passes[0].inputs[2].kind, InputKind::undrawn_cubemap);
+  EXPECT_EQ(project.passes[0].inputs[2].kind, InputKind::undrawn);
+  EXPECT_EQ(project.passes[0].inputs[2].undrawn, PassKind::cubemap);
   for (const int i : {0, 1, 3}) EXPECT_EQ(project.passes[0].inputs[i].kind, InputKind::none);
 }
 
@@ -284,7 +285,8 @@ TEST_F(LoadJson, DrawsMainVrWhenAsked) {
   const json document = api({pass("image", 37, json::array(), code)});
   EXPECT_TRUE(load(document).passes[0].has_vr);
   EXPECT_EQ(load(document).passes[0].source.head.find("mainVR("), std::string::npos);
-  EXPECT_NE(load(document, {.vr = true}).passes[0].source.head.find("mainVR("), std::string::npos);
+  EXPECT_NE(load(document, {.settings = {.vr = true}}).passes[0].source.head.find("mainVR("),
+            std::string::npos);
   EXPECT_FALSE(load(api({pass("image", 37)})).passes[0].has_vr);
 }
 

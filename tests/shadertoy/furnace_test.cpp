@@ -113,8 +113,10 @@ TEST_P(Furnace, AnyNormalAndVisibleNormalsGiveTheSameMean) {
 }
 
 TEST_P(Furnace, CompensatedMetalsKeepAllLight) {
+  std::vector<double> with_places_between = roughnesses;  // where the table is furthest off
+  with_places_between.insert(with_places_between.end(), {.1129, .2258, .2903, .33, .3871, .9677});
   std::vector<Setting> settings;
-  for (const double r : roughnesses)
+  for (const double r : with_places_between)
     for (const double mu : cosines) settings.push_back({conductor, r, mu, glm::dvec3(1)});
   const auto results =
       measure([this](const Probe& p, const Table& t) { return run(p, t); }, settings, {{"FRESNEL", "1"}});
@@ -122,7 +124,7 @@ TEST_P(Furnace, CompensatedMetalsKeepAllLight) {
     const Mean& mean = results[s].red;
     EXPECT_LE(mean.value, 1.001 + test_sigmas * mean.sigma) << name_of(settings[s]);
     if (settings[s].cosine < 0.1) continue;
-    EXPECT_GE(mean.value, 0.99 - test_sigmas * mean.sigma) << name_of(settings[s]);
+    EXPECT_GE(mean.value, 0.995 - test_sigmas * mean.sigma) << name_of(settings[s]);
   }
 }
 

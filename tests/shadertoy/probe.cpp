@@ -84,9 +84,9 @@ Table to_table(const Image& image, std::size_t cases, int size) {
 
 Table run(const Backend& backend, const Probe& probe, std::size_t cases, const fs::path& inputs) {
   LoadOptions options;
-  options.defines = probe.defines;
-  options.defines.emplace_back("INPUTS", std::to_string(probe.inputs));
-  options.defines.emplace_back("OUTPUTS", std::to_string(probe.outputs));
+  options.settings.defines = probe.defines;
+  options.settings.defines.emplace_back("INPUTS", std::to_string(probe.inputs));
+  options.settings.defines.emplace_back("OUTPUTS", std::to_string(probe.outputs));
   Project project = load_project(shader_folder() / probe.file, options);
   Input& input = project.passes.back().inputs[input_channel];
   input.kind = InputKind::texture;
@@ -126,7 +126,7 @@ Table run_probe(const Backend& backend, const Probe& probe, const Table& inputs)
 
 Image run_shader(const Backend& backend, const Take& take) {
   LoadOptions options;
-  options.defines = take.defines;
+  options.settings.defines = take.defines;
   const Project project = load_project(shader_folder() / take.file, options);
   Schedule schedule;
   schedule.width = take.width;

@@ -19,7 +19,7 @@ const Texture& forest() {
   static const Texture texture = [] {
     const Project project =
         load_project(std::filesystem::path(SHADERTWIN_SOURCE_DIR) / "tests/shadertoy" / sky.file,
-                     {.defines = {{"INPUTS", "1"}, {"OUTPUTS", "1"}}});
+                     {.settings = {.defines = {{"INPUTS", "1"}, {"OUTPUTS", "1"}}}});
     return load_texture(project.passes.back().inputs[1]);
   }();
   return texture;

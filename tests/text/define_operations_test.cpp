@@ -18,7 +18,7 @@ PassSource defined_source(const std::string& body, const std::string& globals = 
   const Project project = load_project(
       folder.write("shader.glsl", globals + "void f(float x, int i, uint u, vec2 v, ivec2 k) { " + body +
                                       " }\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(0.0); }\n"),
-      {.undefined = Undefined::raw});
+      {.settings = {.undefined = Undefined::raw}});
   return define_undefined(project, project.passes[0].source).value();
 }
 

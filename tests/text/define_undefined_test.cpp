@@ -20,7 +20,7 @@ constexpr const char* image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(
 // The pass with this body, as a host wraps it.
 Project project_of(const std::string& body) {
   const ScratchFolder folder;
-  return load_project(folder.write("shader.glsl", body + image), {.undefined = Undefined::raw});
+  return load_project(folder.write("shader.glsl", body + image), {.settings = {.undefined = Undefined::raw}});
 }
 
 PassSource defined_source(const Project& project) {

@@ -59,7 +59,7 @@ Texts texts_of(const fs::path& shader) {
     add(texts, stem + "es300.frag", [&] { return render(defined); });
     add(texts, stem + "es320.frag", [&] { return render(make_precise(project, defined)); });
     if (std::string why; can_run_as_compute(pass, &why))
-      add(texts, stem + "es310.comp", [&] { return render(defined, Target::compute); });
+      add(texts, stem + "es310.comp", [&] { return render(defined, ShaderStage::compute); });
     else
       texts[stem + "es310.comp"] = "runs as fragments: " + why + '\n';
     add(texts, stem + "scalar.cpp", [&] { return emit_cpp(project, pass); });

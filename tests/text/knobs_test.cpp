@@ -13,7 +13,7 @@ constexpr const char* image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(
 class Knobs : public testing::Test {
  protected:
   Project load(const std::string& text, const Defines& defines = {}) const {
-    return load_project(folder.write("a.glsl", text + image), {.defines = defines});
+    return load_project(folder.write("a.glsl", text + image), {.settings = {.defines = defines}});
   }
   TempFolder folder;
 };
@@ -31,6 +31,13 @@ TEST_F(Knobs, AreMacrosWithAGuardAndAValue) {
   EXPECT_EQ(knobs[0].value, "(1.0 / 3.0)");
   EXPECT_EQ(knobs[1].name, "STEPS");
   EXPECT_EQ(knobs[1].value, "64");
+}
+
+TEST_F(Knobs, MayDecideConditions) {
+  const Project project =
+      load("#if STEPS > 3\n#endif\n#ifndef OTHER\n#define OTHER 1\n#endif\nint if_other = OTHER;\n");
+  EXPECT_TRUE(decides_conditions(project, "STEPS"));
+  EXPECT_FALSE(decides_conditions(project, "OTHER"));
 }
 
 TEST_F(Knobs, AreWarnedOfWhenNoPassMentionsThem) {

@@ -17,7 +17,7 @@ class MapLog : public testing::Test {
     folder_.write("image.glsl", "#include \"lib.glsl\"\n#define A \\\n  1\n" + std::string(empty_image));
     folder_.write("lib.glsl", "int l1;\r\nint l2;\r\n");
     folder_.write("common.glsl", "\xEF\xBB\xBFint c1;\r\nint c2;\r\n");
-    project_ = load_project(folder_.path(), {.defines = {{"N", "1"}}});
+    project_ = load_project(folder_.path(), {.settings = {.defines = {{"N", "1"}}}});
     head_ = first_body_line(project_.passes[0].source) - 1;
   }
 
@@ -55,7 +55,7 @@ TEST_F(MapLog, CountsPhysicalLinesBehindAContinuedOne) {
 TEST_F(MapLog, NamesTheOptionOfADefine) {
   EXPECT_EQ(mapped("0:@(1): error: x", 1), "-D N=1: error: x");
   const Project refused =
-      load_project(folder_.path(), {.defines = {{"N", ""}, {"GL_N", "1 2"}, {"GL_M", ""}}});
+      load_project(folder_.path(), {.settings = {.defines = {{"N", ""}, {"GL_N", "1 2"}, {"GL_M", ""}}}});
   EXPECT_EQ(refused.passes[0].source.refused,
             "-D GL_N=1 2: error: the name 'GL_N' is reserved and can't be defined\n"
             "-D GL_M: error: the name 'GL_M' is reserved and can't be defined");

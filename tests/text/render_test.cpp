@@ -17,7 +17,7 @@ Pass load_pass(const std::string& text) {
 
 TEST(RenderForCompute, MovesNoLine) {
   const Pass pass = load_pass("int x;\n" + std::string(empty_image));
-  const std::string text = render(pass.source, Target::compute);
+  const std::string text = render(pass.source, ShaderStage::compute);
   const auto lines_before = [](const std::string& whole) {
     return std::count(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(whole.find("int x;")), '\n');
   };
@@ -26,7 +26,7 @@ TEST(RenderForCompute, MovesNoLine) {
 
 TEST(RenderForCompute, ReplacesWhatFragmentsHave) {
   const Pass pass = load_pass("void main() { gl_FragColor = gl_FragCoord; }\n");
-  const std::string text = render(pass.source, Target::compute);
+  const std::string text = render(pass.source, ShaderStage::compute);
   EXPECT_TRUE(text.starts_with("#version 310 es\n"));
   EXPECT_NE(text.find("local_size_x = 8, local_size_y = 8"), std::string::npos);
   EXPECT_NE(text.find("void shadertwin_main() { shadertoy_out_color = shadertwin_frag_coord; }"),

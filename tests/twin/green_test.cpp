@@ -22,7 +22,7 @@ TEST_P(Green, EveryPixel) {
       ++count;
       LoadOptions options;
       options.dialect = Dialect::shadertoy;
-      options.precise = precise;
+      options.settings.precise = precise;
       try {
         const Image image = pictures(load_project(entry.path(), options), 1, 64, 8).back();
         int wrong = 0;

@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(, Language, testing::ValuesIn(shaders()), shader_name);
 // Sums of products in user code are what Mesa reorders otherwise.
 TEST(PreciseText, MakesMesaKeepTheOrderOfEveryOperation) {
   const fs::path shader = fs::path(SHADERTWIN_SOURCE_DIR) / "tests/emit/shaders/uv_tricks.glsl";
-  expect_same_frames(load_project(shader, {.precise = true}), 0.0F);
+  expect_same_frames(load_project(shader, {.settings = {.precise = true}}), 0.0F);
 }
 
 TEST(PreciseText, TakesEveryConstruct) {
@@ -114,7 +114,7 @@ TEST(PreciseText, TakesEveryConstruct) {
     SCOPED_TRACE(name);
     const fs::path shader =
         fs::path(SHADERTWIN_SOURCE_DIR) / "tests/emit/shaders" / (name + std::string(".glsl"));
-    expect_same_frames(load_project(shader, {.precise = true}), 0.0F);
+    expect_same_frames(load_project(shader, {.settings = {.precise = true}}), 0.0F);
   }
 }
 

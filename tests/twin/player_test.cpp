@@ -62,7 +62,7 @@ TEST_F(Player, ReadsZeroFromABufferThatIsNotThere) {
   Project shader = project(
       "void mainImage(out vec4 c, in vec2 p) { c = vec4(texture(iChannel0, p).a, texture(iChannel1, p).a, 0, "
       "1); }");
-  shader.passes[0].inputs[0].kind = InputKind::undrawn_buffer;
+  shader.passes[0].inputs[0].kind = InputKind::undrawn;
   const Image image = played(shader);
   EXPECT_EQ(image.at(0, 0)[0], 0.0F);
   EXPECT_EQ(image.at(0, 0)[1], 1.0F);

@@ -14,7 +14,7 @@ class Quirks : public testing::TestWithParam<std::string> {
  protected:
   Project load(const std::string& shader, bool quirks) const {
     LoadOptions options;
-    options.vscode_quirks = quirks;
+    options.settings.vscode_quirks = quirks;
     return load_project(folder / shader, options);
   }
   static std::unique_ptr<Player> play(const Project& project) {

@@ -19,14 +19,16 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-// files: name -> text. The page of the folder of tabs, or of the file `entry` in it.
-async function open(name, files, { hash = '', entry = '', options = [] } = {}) {
+// files: name -> text. The page of the folder of tabs, or of the file `entry` in it. `first`: a function that runs in it
+// before its own scripts.
+async function open(name, files, { hash = '', entry = '', options = [], first = () => {} } = {}) {
   const project = path.join(folder, name);
   mkdirSync(project);
   for (const [file, text] of Object.entries(files)) writeFileSync(path.join(project, file), text);
   const html = path.join(folder, `${name}.html`);
   execFileSync(shadertwin, ['export', path.join(project, entry), '--quiet', '--to', 'html', '-o', html, ...options]);
   const page = await openPage(browser, { width: 320, height: 216 });
+  await page.addInitScript(first);
   await page.goto(`file://${html}${hash}`);
   page.messages = await page.evaluate(() => window.shadertwin.ready);
   return page;
@@ -68,6 +70,30 @@ test('pause stops time and frames, reset starts again from cleared buffers', asy
   await page.click('#reset');
   await page.evaluate(() => window.shadertwin.step(0));
   assert.deepEqual((await texel(page)).slice(0, 2), [1, 0]);
+});
+
+test('it plays the samples of a Sound pass', async () => {
+  const recordStart = () => {
+    const { start } = AudioBufferSourceNode.prototype;
+    AudioBufferSourceNode.prototype.start = function (...when) {
+      window.played = this.buffer;
+      return start.apply(this, when);
+    };
+  };
+  const page = await open(
+    'sound',
+    {
+      'image.glsl': `${head}{ c = vec4(1.0); }\n`,
+      'sound.glsl': 'vec2 mainSound(int s, float t) { return vec2(float(s % 1024) / 1024.0, -0.5 * t); }\n',
+    },
+    { first: recordStart },
+  );
+  await page.waitForFunction(() => window.played);
+  const samples = await page.evaluate(() => [0, 1].map((side) => [1, 44100, 400000].map((i) => window.played.getChannelData(side)[i])));
+  assert.deepEqual(samples[0], [1 / 1024, 68 / 1024, 640 / 1024]);
+  assert.ok(Math.abs(samples[1][1] + 0.5) < 1e-6);
+  assert.equal(samples[1][2], -1);
+  assert.deepEqual(page.problems, []);
 });
 
 test('reset clears the mipmaps of a buffer, too', async () => {

@@ -82,10 +82,10 @@ class Player {
     new ResizeObserver(() => this.fit()).observe(canvas.parentElement);
     this.fit();
     this.showState();
-    const sound = !project.muted && project.passes.find((pass) => pass.kind === 'sound');
+    const sound = !project.muted && project.passes.find((pass) => !pass.every_frame);
     const { sounds } = this.renderer;
     find('sound').hidden =
-      !sound && (project.muted || !project.passes.some((pass) => pass.inputs.some((i) => i.kind === 'music' || i.kind === 'video')));
+      !sound && (project.muted || !project.passes.some((pass) => pass.inputs.some((i) => !i.missing && (i.kind === 'music' || i.kind === 'video'))));
     document.body.classList.toggle('muted', sounds.muted);
     if (sound) this.startSound(sound);
     requestAnimationFrame((now) => this.loop(now));

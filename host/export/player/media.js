@@ -64,7 +64,7 @@ async function startSound(gl, input, project, sounds) {
     let now = 0;
     fill = (bytes, frame) => preview(bytes, (now = frame.time));
     time = () => 10 + now;
-  } else if (input.kind === 'music') {
+  } else if (input.kind === 'music' && !input.missing) {
     element = Object.assign(document.createElement('audio'), { src: project.media[input.media[0]], loop: true });
     const heard = analysed(sounds.context.createMediaElementSource(element), project.site);
     heard.analyser.connect(sounds.volume);

@@ -1,6 +1,5 @@
 // Draws the passes of a project: targets, uniforms, the order of things.
 
-const cubeSize = 1024;
 const keyboardUnit = 10;
 
 const uniformSetters = {
@@ -48,7 +47,7 @@ class Renderer {
     this.passes = project.passes;
     this.passes.forEach((pass, index) => Object.assign(pass, { index }));
     this.pingPong = new PingPong(this.passes.map((pass) => pass.targets), project.quirks);
-    this.drawn = this.passes.filter((pass) => pass.kind !== 'sound');
+    this.drawn = this.passes.filter((pass) => pass.every_frame);
     this.shown = this.passes.at(-1);
     this.sounds = new Sounds();
     this.media = new Map();
@@ -67,7 +66,7 @@ class Renderer {
     for (const pass of this.passes) {
       this.findUniforms(pass);
       // The picture needs no float target of its own when no pass reads it.
-      if (pass.kind !== 'sound' && (pass !== this.shown || read.has(pass))) this.prepareTarget(pass);
+      if (pass.every_frame && (pass !== this.shown || read.has(pass))) this.prepareTarget(pass);
       for (const input of pass.inputs) await this.loadInput(input);
     }
     if (this.passes.some((pass) => pass.keyboard)) this.needKeyboard();
@@ -100,10 +99,11 @@ class Renderer {
 
   prepareTarget(pass) {
     const { gl, passes } = this;
-    const cube = pass.kind === 'cubemap';
+    const cube = pass.faces === 6;
     const readers = passes.flatMap((p) => p.inputs).filter((input) => passes[input.pass] === pass);
     pass.target = {
-      kind: cube ? gl.TEXTURE_CUBE_MAP : gl.TEXTURE_2D,
+      kind: targetOf(gl, cube ? 'cube' : 'flat'),
+      side: pass.side,
       format: cube ? gl.RGBA16F : gl.RGBA32F,
       mipmaps: readers.some((input) => input.mipmaps),
       size: null,
@@ -120,25 +120,24 @@ class Renderer {
   async loadInput(input) {
     const { gl, project } = this;
     input.sampler = makeSampler(gl, input);
-    const kind = input.kind === 'none' ? input.missing : input.kind;
-    if (kind === 'keyboard') Object.assign(input, { source: this.needKeyboard(), sampler: this.keyboard.sampler });
-    else if (kind === 'music' || kind === 'microphone' || input.kind === 'video' || input.kind === 'webcam')
-      input.source = await this.startMedium(input, kind);
-    else if (input.media.length > 0) input.source = await uploadPicture(gl, input, project.media);
-    else if (kind === 'missing buffer' || kind === 'missing cubemap pass') input.source = this.undrawnPass(kind);
+    if (input.source === 'keyboard') Object.assign(input, { texels: this.needKeyboard(), sampler: this.keyboard.sampler });
+    else if (input.source === 'moving' && (input.audio || !input.missing)) input.texels = await this.startMedium(input);
+    else if (input.source === 'undrawn' && !input.missing) input.texels = this.undrawnPass(input);
+    else if (input.media.length > 0) input.texels = await uploadPicture(gl, input, project.media);
   }
 
   // A pass that is not there reads as one that was never drawn.
-  undrawnPass(kind) {
-    if (!this.undrawn.has(kind)) this.undrawn.set(kind, { target: kind === 'missing buffer' ? this.gl.TEXTURE_2D : this.gl.TEXTURE_CUBE_MAP });
-    return this.undrawn.get(kind);
+  undrawnPass({ shape, size: [side] }) {
+    const key = `${shape} ${side}`;
+    if (!this.undrawn.has(key)) this.undrawn.set(key, { target: targetOf(this.gl, shape), side });
+    return this.undrawn.get(key);
   }
 
   // What moves plays once, whatever number of channels reads it.
-  async startMedium(input, kind) {
-    const key = [kind, input.vflip, ...input.media].join();
+  async startMedium(input) {
+    const key = [input.kind, input.vflip, ...input.media].join();
     if (!this.media.has(key)) {
-      const start = kind === 'music' || kind === 'microphone' ? startSound : startVideo;
+      const start = input.audio ? startSound : startVideo;
       this.media.set(key, await start(this.gl, input, this.project, this.sounds));
     }
     const source = this.media.get(key);
@@ -153,14 +152,13 @@ class Renderer {
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
     for (const source of this.undrawn.values()) {
-      const size = source.target === this.gl.TEXTURE_CUBE_MAP ? [cubeSize, cubeSize] : [width, height];
+      const size = source.side ? [source.side, source.side] : [width, height];
       this.gl.deleteTexture(source.texture);
       Object.assign(source, { texture: makeBlank(this.gl, source.target, ...size), size: [...size, 1] });
     }
     for (const { target, targets, index } of this.passes.filter((pass) => pass.target)) {
-      const cube = target.kind === gl.TEXTURE_CUBE_MAP;
-      if (cube && target.size) continue;
-      const size = cube ? [cubeSize, cubeSize] : [width, height];
+      if (target.side && target.size) continue;
+      const size = target.side ? [target.side, target.side] : [width, height];
       const old = target.size;
       target.surfaces = Array.from({ length: targets }, (_, i) => this.makeSurface(target, size, old && target.surfaces[i], old));
       target.size = size;
@@ -240,8 +238,8 @@ class Renderer {
       gl.activeTexture(gl.TEXTURE0 + input.channel);
       gl.bindSampler(input.channel, input.sampler);
       if (source) gl.bindTexture(source.target.kind, this.surfaceFor(pass, source).texture);
-      else if (input.source) gl.bindTexture(input.source.target, input.source.texture);
-      sizes.set(source ? [...this.reportedSize(source), 1] : (input.source?.size ?? input.size), 3 * input.channel);
+      else if (input.texels) gl.bindTexture(input.texels.target, input.texels.texture);
+      sizes.set(source ? [...this.reportedSize(source), 1] : (input.texels?.size ?? input.size), 3 * input.channel);
     }
     if (this.keyboard) {
       gl.activeTexture(gl.TEXTURE0 + keyboardUnit);
@@ -255,18 +253,18 @@ class Renderer {
     return source.target.surfaces[this.pingPong.readBy(reader.index, source.index)];
   }
 
-  reportedSize({ kind }) {
-    return kind === 'cubemap' ? [cubeSize, cubeSize] : this.pingPong.reportedSize;
+  reportedSize({ side }) {
+    return side ? [side, side] : this.pingPong.reportedSize;
   }
 
   setUniforms(pass, size, values) {
     const { gl } = this;
     const times = new Float32Array(4);
-    for (const input of pass.inputs) if (input.channel < 4) times[input.channel] = input.source?.time?.() ?? 0;
+    for (const input of pass.inputs) if (input.channel < 4) times[input.channel] = input.texels?.time?.() ?? 0;
     const all = {
       ...values,
       iResolution: [...size, 1],
-      iSampleRate: this.project.site || pass.inputs.some((i) => i.kind === 'music' || i.kind === 'microphone') ? 44100 : 0,
+      iSampleRate: this.project.site || pass.inputs.some((i) => i.audio && !i.missing) ? 44100 : 0,
       iChannelTime: times,
     };
     const sizes = values.iChannelResolution;

@@ -9,7 +9,7 @@ async function makeSound(renderer, pass, date) {
   const blockSamples = blockSide * blockSide;
   const buffer = renderer.sounds.context.createBuffer(2, soundRate * soundSeconds, soundRate);
   const target = { kind: gl.TEXTURE_2D, format: gl.RGBA32F, mipmaps: false };
-  const { framebuffers } = renderer.makePicture(target, [blockSide, blockSide]);
+  const { framebuffers } = renderer.makeSurface(target, [blockSide, blockSide]);
   const texels = new Float32Array(4 * blockSamples);
   for (let start = 0; start < buffer.length; start += blockSamples) {
     gl.useProgram(pass.program);

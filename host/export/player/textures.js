@@ -16,6 +16,11 @@ function makeSampler(gl, { min, mag, wrap }) {
   return sampler;
 }
 
+// Of what a sampler of the shape reads.
+function targetOf(gl, shape) {
+  return { cube: gl.TEXTURE_CUBE_MAP, volume: gl.TEXTURE_3D }[shape] ?? gl.TEXTURE_2D;
+}
+
 function faceTargets(gl, target) {
   return target === gl.TEXTURE_CUBE_MAP ? [0, 1, 2, 3, 4, 5].map((i) => gl.TEXTURE_CUBE_MAP_POSITIVE_X + i) : [target];
 }
@@ -36,10 +41,10 @@ async function uploadPicture(gl, input, media) {
       return typeof medium === 'string' ? decoded(medium) : { ...medium, texels: bytesOf(medium.base64) };
     }),
   );
-  const cube = input.kind === 'cubemap';
+  const cube = input.shape === 'cube';
   // A cube that is turned over has its top at the bottom.
   if (cube && input.vflip && !pictures[0].texels) [pictures[2], pictures[3]] = [pictures[3], pictures[2]];
-  const target = { cubemap: gl.TEXTURE_CUBE_MAP, volume: gl.TEXTURE_3D }[input.kind] ?? gl.TEXTURE_2D;
+  const target = targetOf(gl, input.shape);
   const [first] = pictures;
   const float = first.format === 'rgba32f';
   const red = input.red && !first.texels;
