@@ -108,7 +108,8 @@ enum class Undefined {
 struct OtherUniform {
   std::string name;
   SourceLine at;
-  bool set = false;  // it is another host's, and has the value that it has there
+  bool set = false;       // it is another host's, and has the value that it has there
+  bool is_block = false;  // a uniform block, which keeps its pass from being drawn
 };
 
 struct Pass {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/language/browser_names.h"
+#include "host/language/edits.h"
 #include "host/language/tokens.h"
 
 namespace shadertwin {
@@ -18,18 +19,13 @@ bool is_precision(const Token& token) {
   return token.is("lowp") || token.is("mediump") || token.is("highp");
 }
 
-struct Edit {
-  std::size_t begin = 0;
-  std::size_t length = 0;
-  std::string text;
-};
-
 class Rewriter {
  public:
   explicit Rewriter(std::string_view text) : text_(text), tokens_(tokenize(text)) {}
 
   std::string run() {
     find_declared();
+    find_members();
     rename_variables();
     rename_open_builtins();
     rename_structures();
@@ -48,7 +44,7 @@ class Rewriter {
       // The last label of a switch needs a statement that does something.
       if (token.is(":") && only_empty_follows(i)) edits_.push_back({token.end(), 0, " break;"});
     }
-    return apply();
+    return edited(text_, std::move(edits_));
   }
 
  private:
@@ -84,6 +80,25 @@ class Rewriter {
     }
   }
 
+  // Where structures name their members.
+  void find_members() {
+    for (std::size_t i = 0; i + 2 < tokens_.size(); ++i) {
+      if (!tokens_[i].is("struct")) continue;
+      std::size_t k = i + (tokens_[i + 1].is("{") ? 2 : 3);
+      if (!tokens_[k - 1].is("{")) continue;
+      int words = 0;  // of the declaration so far, but for precisions
+      for (int brackets = 0; k < tokens_.size() && !tokens_[k].is("}"); ++k) {
+        if (tokens_[k].is("[")) ++brackets;
+        if (tokens_[k].is("]")) --brackets;
+        if (tokens_[k].is(";")) words = 0;
+        if (brackets == 0 && is_word(k) && !is_precision(tokens_[k]) && words++ > 0) members_.insert(k);
+      }
+    }
+  }
+
+  // Whether the token names a member of a structure, there or where it is used.
+  bool is_member(std::size_t i) const { return members_.contains(i) || (i > 0 && tokens_[i - 1].is(".")); }
+
   void drop(std::size_t i) { edits_.push_back({tokens_[i].begin, tokens_[i].text.size(), ""}); }
 
   // `precision mediump float;`, but for types that the head gives none.
@@ -116,7 +131,7 @@ class Rewriter {
                             (is_word(i - 1) || before.is("]") || before.is(",")) &&
                             (next.is("=") || next.is(";") || next.is(",") || next.is("["));
       if (declared) names.insert(token.text);
-      if (names.contains(token.text) && !next.is("(") && !before.is(".")) rename(i);
+      if (names.contains(token.text) && !next.is("(") && !is_member(i)) rename(i);
     }
   }
 
@@ -131,24 +146,15 @@ class Rewriter {
       for (std::size_t k = i + 1; k < tokens_.size() && depth >= 0; ++k) {
         if (tokens_[k].is("{")) ++depth;
         if (tokens_[k].is("}")) --depth;
-        if (tokens_[k].is(name) && !tokens_[k - 1].is(".")) rename(k);
+        if (tokens_[k].is(name) && !is_member(k)) rename(k);
       }
     }
   }
 
   // `length` as a structure's member: glslang takes it for the size of an array.
   void rename_length_members() {
-    bool in_structure = false;
-    for (std::size_t i = 1; i + 1 < tokens_.size(); ++i) {
-      const Token& next = tokens_[i + 1];
-      if (tokens_[i].is("{"))
-        in_structure = tokens_[i - 1].is("struct") || (i > 1 && tokens_[i - 2].is("struct"));
-      if (tokens_[i].is("}")) in_structure = false;
-      if (!tokens_[i].is("length")) continue;
-      const bool used = tokens_[i - 1].is(".") && !next.is("(");
-      const bool declared = in_structure && (next.is(";") || next.is(",") || next.is("["));
-      if (used || declared) rename(i);
-    }
+    for (std::size_t i = 1; i + 1 < tokens_.size(); ++i)
+      if (tokens_[i].is("length") && is_member(i) && !tokens_[i + 1].is("(")) rename(i);
   }
 
   // The types of the parameters in the parentheses that open at `open`, each followed by a comma.
@@ -249,23 +255,11 @@ class Rewriter {
       edits_.push_back({tokens_[end - 1].end(), 0, " shadertwin_unnamed_" + std::to_string(unnamed_++)});
   }
 
-  std::string apply() {
-    std::stable_sort(edits_.begin(), edits_.end(),
-                     [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
-    std::string result;
-    std::size_t copied = 0;
-    for (const Edit& edit : edits_) {
-      if (edit.begin < copied) continue;  // what is dropped needs no other change
-      result.append(text_.substr(copied, edit.begin - copied)).append(edit.text);
-      copied = edit.begin + edit.length;
-    }
-    return result.append(text_.substr(copied));
-  }
-
   std::string_view text_;
   std::vector<Token> tokens_;
   std::vector<Edit> edits_;
   std::set<std::string_view> renamed_;
+  std::set<std::size_t> members_;
   int unnamed_ = 0;
 };
 

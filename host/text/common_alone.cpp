@@ -4,6 +4,7 @@
 #include <set>
 
 #include "host/base/error.h"
+#include "host/language/tokens.h"
 #include "host/project/host_rules.h"
 #include "host/text/syntax_tree.h"
 
@@ -40,6 +41,37 @@ class CallFinder : public glslang::TIntermTraverser {
  private:
   std::set<std::string> defined_;
 };
+
+// The variables and functions that a text declares: what a type stands before.
+std::set<std::string_view> declared_names(const std::vector<Token>& tokens) {
+  std::set<std::string_view> names;
+  for (std::size_t i = 1; i + 1 < tokens.size(); ++i) {
+    const bool typed = tokens[i - 1].kind == Token::Kind::identifier && !tokens[i - 1].is("return");
+    if (tokens[i].kind == Token::Kind::identifier && tokens[i + 1].kind != Token::Kind::identifier &&
+        (typed || tokens[i - 1].is("}")))
+      names.insert(tokens[i].text);
+  }
+  return names;
+}
+
+// Whether a Common that compiles in front of its passes may need one of them: it names what only they are
+// given, declares a function that it does not define, or ends in the middle of something. Most do nothing of
+// the kind, and need not be compiled a second time.
+bool may_need_a_pass(const Pass& common, const std::string& head_of_pass) {
+  const std::vector<Token> host_text = tokenize(head_of_pass);
+  const std::set<std::string_view> hosts = declared_names(host_text);
+  const std::vector<Token> tokens = tokenize(common.source.body);
+  int depth = 0;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (tokens[i].is("{") || tokens[i].is("(")) ++depth;
+    if (tokens[i].is("}") || tokens[i].is(")")) --depth;
+    const bool is_prototype = depth == 0 && tokens[i].is(";") && i > 0 && tokens[i - 1].is(")");
+    const bool is_hosts =
+        hosts.contains(tokens[i].text) && !tokens[i].is("iDate") && !tokens[i].is("iSampleRate");
+    if (is_prototype || is_hosts) return true;
+  }
+  return depth != 0 || (!tokens.empty() && !tokens.back().is("}") && !tokens.back().is(";"));
+}
 
 // The first error of a text; empty if it compiles.
 std::string first_error(const Project& project, const PassSource& source) {
@@ -83,7 +115,7 @@ std::optional<Pass> common_alone(const Project& project) {
 
 std::string warning_of_common(const Project& project) {
   const std::optional<Pass> common = common_alone(project);
-  if (!common) return "";
+  if (!common || !may_need_a_pass(*common, project.passes.back().source.head)) return "";
   std::string error = first_error(project, common->source);
   const std::string word = ": error: ";
   const std::size_t at = error.find(word);

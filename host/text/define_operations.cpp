@@ -9,6 +9,7 @@
 
 #include "host/text/known_zeros.h"
 #include "host/text/operands.h"
+#include "host/text/zero_values.h"
 
 namespace shadertwin {
 namespace {
@@ -104,6 +105,7 @@ class Operations : public glslang::TIntermTraverser {
         zeros_(tree) {}
 
   bool visitBinary(glslang::TVisit, glslang::TIntermBinary* node) override {
+    kept_.insert(tree_.token_of(*node));
     const TIntermTyped& left = *node->getLeft();
     const TIntermTyped& right = *node->getRight();
     if (!is_simple(left) || !is_simple(right)) return true;
@@ -164,6 +166,24 @@ class Operations : public glslang::TIntermTraverser {
         break;
     }
     return true;
+  }
+
+  // Divisions of integer constants by 0 or -1, which the tree has folded: a driver that folds them, too, may
+  // give anything, or trap. No function of ours may stand in a constant.
+  void divide_constants() {
+    const ZeroValues values(tokens_, tree_.declarations());
+    for (int i = 0; i < static_cast<int>(tokens_.size()); ++i) {
+      const bool divides = text(i) == "/";
+      if ((!divides && text(i) != "%") || kept_.contains(i)) continue;
+      const TokenRange left = left_operand(tokens_, i);
+      const TokenRange right = right_operand(tokens_, i);
+      const auto divisor = values.constant(right.first, right.last + 1);
+      if (!divisor || (*divisor != 0 && (*divisor != -1 || is_unsigned(right)))) continue;
+      // ~(a * 0) is -1, or the largest unsigned number.
+      around_.push_back({{left.first, right.last}, *divisor == 0 ? "~((" : "(("});
+      edits_.instead[i] = ") * (";
+      edits_.after[static_cast<std::size_t>(right.last)] += *divisor == 0 || divides ? ")" : ") * 0";
+    }
   }
 
   // Puts the collected texts around the tokens: of two that begin or end at the same token, the longer
@@ -246,6 +266,12 @@ class Operations : public glslang::TIntermTraverser {
     return -1;
   }
 
+  bool is_unsigned(const TokenRange& range) const {
+    for (int i = range.first; i <= range.last; ++i)
+      if (text(i) == "uint" || text(i).starts_with("uvec")) return true;
+    return false;
+  }
+
   // Our function for these types, and what it needs.
   void define(const std::string& name, const glslang::TType& type, const Types& types) {
     const std::string result = type_name(type);
@@ -281,6 +307,7 @@ class Operations : public glslang::TIntermTraverser {
   RewrittenLines& edits_;
   KnownZeros zeros_;
   std::vector<Around> around_;
+  std::set<int> kept_;       // operators that the tree has
   std::set<int> converted_;  // first tokens of arguments
   std::set<std::string> known_;
   std::string functions_;
@@ -291,6 +318,7 @@ class Operations : public glslang::TIntermTraverser {
 std::string define_operations(const SyntaxTree& tree, RewrittenLines& edits) {
   Operations operations(tree, edits);
   const_cast<TIntermAggregate&>(tree.root()).traverse(&operations);
+  operations.divide_constants();
   return operations.finish();
 }
 

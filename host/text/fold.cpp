@@ -259,6 +259,24 @@ TIntermTyped* made_from(const Values& values, const TIntermConstantUnion& operan
   return made_constant(folded, operand, type);
 }
 
+// Integers divided by zero, as reference/glsl/README.md has them: all bits are set.
+void define_division(TOperator op, const TIntermConstantUnion* right, TIntermTyped* node) {
+  TIntermConstantUnion* constant = node != nullptr ? node->getAsConstantUnion() : nullptr;
+  const bool divides = op == glslang::EOpDiv || op == glslang::EOpMod;
+  if (!divides || constant == nullptr || right == nullptr) return;
+  const bool is_int = constant->getBasicType() == glslang::EbtInt;
+  if (!is_int && constant->getBasicType() != glslang::EbtUint) return;
+  glslang::TConstUnionArray values = constant->getConstArray();  // shares the node's values
+  const glslang::TConstUnionArray& divisors = right->getConstArray();
+  for (int i = 0; i < values.size(); ++i) {
+    if (number_of(divisors[divisors.size() == 1 ? 0 : i]) != 0.0) continue;
+    if (is_int)
+      values[i].setIConst(-1);
+    else
+      values[i].setUConst(~0U);
+  }
+}
+
 // What glslang folded, with `values` where we know better.
 TIntermTyped* corrected(TIntermTyped* node, const Values& values) {
   if (folding == Folding::float64) return node;
@@ -323,7 +341,9 @@ extern "C" {
 TIntermTyped* REAL(FOLD_BINARY)(const TIntermConstantUnion* left, TOperator op, const TIntermTyped* right);
 TIntermTyped* WRAP(FOLD_BINARY)(const TIntermConstantUnion* left, TOperator op, const TIntermTyped* right) {
   const auto values = shadertwin::fold_product(op, *left, *right);
-  return shadertwin::corrected(REAL(FOLD_BINARY)(left, op, right), values);
+  TIntermTyped* node = REAL(FOLD_BINARY)(left, op, right);
+  shadertwin::define_division(op, right->getAsConstantUnion(), node);
+  return shadertwin::corrected(node, values);
 }
 
 TIntermTyped* REAL(FOLD_UNARY)(const TIntermConstantUnion* operand, TOperator op, const glslang::TType& type);

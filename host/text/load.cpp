@@ -5,6 +5,7 @@
 #include "host/text/knobs.h"
 #include "host/text/other_uniforms.h"
 #include "host/text/resolve_macros.h"
+#include "host/text/uniform_blocks.h"
 
 namespace shadertwin {
 
@@ -31,6 +32,7 @@ Project load_project(const std::filesystem::path& shader, const LoadOptions& opt
     resolve_macros(project, pass.source, ShaderStage::fragment);
     canonicalise_body(pass.source);
     adopt_other_uniforms(project, i, pass);
+    empty_uniform_blocks(pass);
     if (pass.vertex.has_value()) {
       resolve_macros(project, *pass.vertex, ShaderStage::vertex);
       canonicalise_body(*pass.vertex);

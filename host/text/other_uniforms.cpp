@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "host/language/edits.h"
 #include "host/language/entry_points.h"
 #include "host/language/tokens.h"
 #include "host/project/host_rules.h"
@@ -140,16 +141,10 @@ class Adopter {
     set_values(tokens);
     take_bytes(tokens);
     rename(tokens);
-    body = edited(body);
+    body = edited(body, edits_);
   }
 
  private:
-  struct Edit {
-    std::size_t begin;
-    std::size_t end;
-    std::string text;
-  };
-
   // Whether a player sets a uniform of that name and type.
   bool is_hosts(std::string_view name, std::string_view type, bool exactly = false) const {
     for (const Declaration& each : host_)
@@ -190,7 +185,7 @@ class Adopter {
     const std::string_view old =
         std::string_view(body).substr(declaration.begin, declaration.end - declaration.begin);
     const auto lines = static_cast<std::size_t>(std::count(old.begin(), old.end(), '\n'));
-    edits_.push_back({declaration.begin, declaration.end, text + std::string(lines, '\n')});
+    edits_.push_back({declaration.begin, old.size(), text + std::string(lines, '\n')});
   }
 
   // The declaration of a variable for what has a meaning here, whose value is noted; else empty.
@@ -254,7 +249,7 @@ class Adopter {
       std::size_t close = i + 2;
       while (close < tokens.size() && !tokens[close].is(")")) ++close;
       if (close + 1 >= tokens.size() || !tokens[close + 1].is("{")) continue;
-      edits_.push_back({tokens[close + 1].end(), tokens[close + 1].end(), values_});
+      edits_.push_back({tokens[close + 1].end(), 0, values_});
       return;
     }
   }
@@ -273,8 +268,8 @@ class Adopter {
         if (tokens[close].is(")") && --depth == 0) break;
       }
       if (close == tokens.size()) return;
-      edits_.push_back({tokens[i].begin, tokens[i].begin, "shadertwin_byte("});
-      edits_.push_back({tokens[close].end(), tokens[close].end(), ")"});
+      edits_.push_back({tokens[i].begin, 0, "shadertwin_byte("});
+      edits_.push_back({tokens[close].end(), 0, ")"});
     }
     pass_.source.helpers += byte_function;
   }
@@ -283,24 +278,12 @@ class Adopter {
     for (const Token& token : tokens)
       for (const auto& [name, by] : renamed_)
         if (token.kind == Token::Kind::identifier && token.text == name && !is_edited(token.begin))
-          edits_.push_back({token.begin, token.end(), by});
+          edits_.push_back({token.begin, token.text.size(), by});
   }
 
   bool is_edited(std::size_t at) const {
     return std::any_of(edits_.begin(), edits_.end(),
-                       [&](const Edit& edit) { return at >= edit.begin && at < edit.end; });
-  }
-
-  std::string edited(const std::string& body) {
-    std::stable_sort(edits_.begin(), edits_.end(),
-                     [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
-    std::string result;
-    std::size_t copied = 0;
-    for (const Edit& edit : edits_) {
-      result.append(body, copied, edit.begin - copied).append(edit.text);
-      copied = edit.end;
-    }
-    return result.append(body, copied);
+                       [&](const Edit& edit) { return at >= edit.begin && at < edit.begin + edit.length; });
   }
 
   const Project& project_;

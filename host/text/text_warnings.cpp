@@ -7,7 +7,8 @@
 namespace shadertwin {
 
 std::string words_for_unset(const OtherUniform& uniform) {
-  return "nothing sets the uniform '" + uniform.name + "'";
+  return uniform.is_block ? "nothing fills the uniform block '" + uniform.name + "': the pass is not drawn"
+                          : "nothing sets the uniform '" + uniform.name + "'";
 }
 
 std::vector<std::string> all_warnings(const Project& project) {

@@ -304,7 +304,9 @@ class CppModule {
     text_.add("  template <class Bind>");
     text_.add("  void bind_uniforms__(Bind&& bind) {");
     for (const TIntermSymbol* symbol : program_.globals()) {
-      if (symbol->getQualifier().storage == EvqUniform && !is_unused_uniform(*symbol))
+      // No host has a structure to give.
+      if (symbol->getQualifier().storage == EvqUniform && !is_unused_uniform(*symbol) &&
+          !symbol->getType().isStruct())
         text_.add(std::string("    bind(\"") + symbol->getName().c_str() + "\", " + context_.global(*symbol) +
                   ");");
     }

@@ -316,7 +316,7 @@ Uniformity::Uniformity(const Program& program) : program_(program) {
 
 bool Uniformity::varies(const TIntermSymbol& symbol) const {
   const TStorageQualifier storage = symbol.getQualifier().storage;
-  if (storage == EvqUniform) return false;
+  if (storage == EvqUniform) return symbol.getType().isStruct();  // structures are made of packets
   if (program_.is_global(symbol.getId())) return true;
   if (storage != EvqTemporary && storage != EvqIn && storage != EvqConst && storage != EvqConstReadOnly)
     return true;  // built-in variables, outputs, out parameters

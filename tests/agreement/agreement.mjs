@@ -15,7 +15,7 @@
 // tells of precision, not of a fault. A shader is
 //
 //   same        where at most 0.5 % of the pixels differ by more than 4 of 255
-//   precision   where that holds when it is equalised
+//   precision   where that holds when it is equalised, or for a player of doubles where it is no suspect with floats
 //   sensitive   where it holds without the sensitive pixels
 //   suspect     else, and where one side refuses what the other takes
 //   refused     where the reference refuses it: it says nothing of a player
@@ -177,6 +177,10 @@ class Judge {
       }
     }
     if (await this.explained(player, other, false, flags)) return { verdict: 'sensitive', reason: differs };
+    // Doubles are not rounded as floats are, whatever the text.
+    const float = player.replace(/\/double$/, '');
+    if (float !== player && !['suspect', 'refused'].includes((await this.judge(float)).verdict))
+      return { verdict: 'precision', reason: differs };
     return { verdict: 'suspect', reason: differs };
   }
 

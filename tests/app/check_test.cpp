@@ -230,6 +230,11 @@ TEST_F(CheckCommand, FindsWhatOnlyTheSiteHas) {
       << outcome.out;
 }
 
+TEST_F(CheckCommand, FindsUniformBlocks) {
+  expect_only(check("uniform Light { vec4 colour; };", "c = colour;", "--frames 1"),
+              "a.glsl:1: portability: nothing fills the uniform block 'Light': the pass is not drawn");
+}
+
 TEST_F(CheckCommand, FindsNamesThatAHostHasTaken) {
   expect_only(check("uniform float iTime;", "c = vec4(iTime);"),
               "a.glsl:1: portability: 'iTime' is there already");

@@ -66,6 +66,13 @@ TEST(Canonicalise, RenamesStructuresNamedAsBuiltins) {
             "float g() { return exp2(1.); }");
 }
 
+TEST(Canonicalise, LeavesMembersThatAreCalledAsWhatItRenames) {
+  EXPECT_EQ(canonicalise("struct fma { float a[2], fma; }; float f(fma x) { return x.fma; }"),
+            "struct shadertwin_fma { float a[2], fma; }; float f(shadertwin_fma x) { return x.fma; }");
+  EXPECT_EQ(canonicalise("float sin; struct S { float sin; }; float f(S s) { return s.sin + sin; }"),
+            "float shadertwin_sin; struct S { float sin; }; float f(S s) { return s.sin + shadertwin_sin; }");
+}
+
 TEST(Canonicalise, RenamesMembersCalledLength) {
   EXPECT_EQ(
       canonicalise(

@@ -59,6 +59,18 @@ TEST_F(OtherUniforms, OnesOwnOfTheHostsAreLeftAlone) {
   EXPECT_TRUE(warnings(std::string("void f(in vec2 time, in float mouse) { }\n") + image).empty());
 }
 
+TEST_F(OtherUniforms, ABlockIsToldOnceForItsPass) {
+  const std::string text = "\nuniform Light {\n  vec4 colour;\n} light;\nuniform Other { float x; };\n";
+  EXPECT_EQ(warnings(text + image), (std::vector<std::string>{"a.glsl:2: warning: nothing fills the uniform "
+                                                              "block 'Light': the pass is not drawn"}));
+  const PassSource source = load(text + image).passes[0].source;
+  EXPECT_EQ(source.body.substr(0, source.body.find("void mainImage")),
+            "\nstruct Light {\nvec4 colour;\n}; uniform Light light;\n   uniform float x; \n");
+  // What is none is the compiler's to refuse.
+  EXPECT_TRUE(warnings("uniform Light { vec4 colour; } 1;\n" + std::string(image)).empty());
+  EXPECT_TRUE(warnings("uniform Light { vec4 colour;\n" + std::string(image)).empty());
+}
+
 TEST_F(OtherUniforms, SkippedCodeDeclaresNothing) {
   EXPECT_TRUE(warnings(std::string("#if 0\nuniform float speed;\n#endif\n") + image).empty());
 }
@@ -104,6 +116,13 @@ TEST_F(OtherUniforms, CommonThatNeedsAPassIsAWarning) {
   EXPECT_TRUE(all_warnings(load_project(tabs.path())).empty());
   tabs.write("common.glsl", "float wave(float x) { return x + iDate.x + iSampleRate; }\n");
   EXPECT_TRUE(all_warnings(load_project(tabs.path())).empty());
+  // A function of the pass's own, and a tab that ends in the middle of something.
+  tabs.write("common.glsl", "float later();\nfloat wave(float x) { return later(); }\n");
+  tabs.write("image.glsl", "float later() { return 1.0; }\n" + std::string(image));
+  EXPECT_EQ(all_warnings(load_project(tabs.path())).size(), 1U);
+  tabs.write("common.glsl", "const float one =\n");
+  tabs.write("image.glsl", "1.0;\n" + std::string(image));
+  EXPECT_EQ(all_warnings(load_project(tabs.path())).size(), 1U);
 }
 
 }  // namespace

@@ -46,6 +46,30 @@ TEST_P(SiteRules, DiscardKeepsTheBufferOfTwoFramesAgoAndThePicture) {
   EXPECT_EQ(pixel(images[2], 1).x, 0) << "the picture keeps what it showed";
 }
 
+// WebGL2 refuses to draw with a block that has no buffer.
+TEST_P(SiteRules, APassWithAUniformBlockIsNotDrawn) {
+  const std::string blocks =
+      "layout(std140) uniform Light { vec4 colour; layout(row_major) mat4 place; float k[2]; } light[2];\n"
+      "uniform Plain { highp vec3 tint; uniform ivec2 size; };\n";
+  const std::string use =
+      "c = light[1].colour + light[0].place[0] * light[0].k[1] + vec4(tint, size.x) + 1.;";
+  folder.write("tabs/buffer_a.glsl", blocks + "void mainImage(out vec4 c, in vec2 p) { " + use + " }\n");
+  folder.write("tabs/buffer_b.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5); }\n");
+  folder.write("tabs/image.glsl",
+               "#iChannel0 \"buffer_a.glsl\"\n#iChannel1 \"buffer_b.glsl\"\n"
+               "void mainImage(out vec4 c, in vec2 p) {\n"
+               "  c = texelFetch(iChannel0, ivec2(p), 0) + texelFetch(iChannel1, ivec2(p), 0);\n}\n");
+  for (const Image& image : pictures(load_project(folder / "tabs"), 2))
+    EXPECT_EQ(pixel(image), glm::vec4(0.5F, 0.5F, 0.5F, 1));
+  const auto own = folder.write("a.glsl", blocks + "void mainImage(out vec4 c, in vec2 p) { " + use + " }\n");
+  LoadOptions site;
+  site.dialect = Dialect::shadertoy;
+  EXPECT_EQ(glm::vec3(pixel(pictures(load_project(own, site), 1).back())), glm::vec3(0));
+  const auto other =
+      folder.write("b.frag", "uniform B { float x; };\nvoid main() { gl_FragColor = vec4(x + 1.); }\n");
+  EXPECT_EQ(pixel(pictures(load_project(other), 1).back()).x, 0);
+}
+
 // Both of a buffer's pictures keep their lower left pixels, and the older may be the one that is read next.
 TEST_P(SiteRules, ResizingKeepsTheLowerLeftPixelsAndReadsTheFirstPicture) {
   folder.write("tabs/buffer_a.glsl",

@@ -1,0 +1,132 @@
+#include "host/text/uniform_blocks.h"
+
+#include <algorithm>
+
+#include "host/language/edits.h"
+#include "host/language/tokens.h"
+
+namespace shadertwin {
+
+namespace {
+
+class Emptier {
+ public:
+  explicit Emptier(Pass& pass) : pass_(pass), tokens_(tokenize(pass.source.body)) {}
+
+  void run() {
+    if (!mentions(tokens_, "uniform")) return;
+    int depth = 0;
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      if (tokens_[i].preprocessor) continue;
+      if (depth == 0 && is_block(i)) i = empty(i);
+      if (at(i).is("{") || at(i).is("(")) ++depth;
+      if (at(i).is("}") || at(i).is(")")) depth = std::max(depth - 1, 0);
+    }
+    if (edits_.empty()) return;
+    draw_nothing();
+    pass_.source.body = edited(pass_.source.body, std::move(edits_));
+  }
+
+ private:
+  const Token& at(std::size_t i) const {
+    static const Token none;
+    return i < tokens_.size() ? tokens_[i] : none;
+  }
+
+  // Of what is no block, whatever is wrong with it is for the compiler to tell.
+  bool is_block(std::size_t i) const {
+    if (!at(i).is("uniform") || at(i + 1).kind != Token::Kind::identifier || at(i + 1).is("struct") ||
+        !at(i + 2).is("{"))
+      return false;
+    const std::size_t close = end_of_members(i);
+    return at(close + 1).is(";") || at(close + 1).kind == Token::Kind::identifier;
+  }
+
+  std::size_t end_of_members(std::size_t i) const {
+    while (i < tokens_.size() && !at(i).is("}")) ++i;
+    return i;
+  }
+
+  void replace(std::size_t i, const std::string& by) {
+    edits_.push_back({at(i).begin, at(i).text.size(), by});
+  }
+
+  // Takes `layout(...)` away that begins at `i`, and gives the token behind it.
+  std::size_t drop_layout(std::size_t i) {
+    std::size_t close = i;
+    while (close + 1 < tokens_.size() && !at(close).is(")")) ++close;
+    for (std::size_t k = i; k <= close; ++k) replace(k, "");
+    return close + 1;
+  }
+
+  // The block whose `uniform` is at `i`; gives its semicolon.
+  std::size_t empty(std::size_t i) {
+    if (i > 0 && at(i - 1).is(")")) {
+      std::size_t open = i - 1;
+      while (open > 0 && !at(open).is("layout")) --open;
+      drop_layout(open);
+    }
+    const Token& name = at(i + 1);
+    const std::size_t close = end_of_members(i);
+    const bool has_instance = !at(close + 1).is(";");
+    if (!noted_) note(name);
+    // Members, each with the word `uniform` if it stands for itself.
+    for (std::size_t k = i + 3; k < close;) {
+      if (at(k).is("layout")) {
+        k = drop_layout(k);
+        continue;
+      }
+      if (at(k).is("uniform")) {
+        replace(k, "");
+        ++k;
+        continue;
+      }
+      if (!has_instance) edits_.push_back({at(k).begin, 0, "uniform "});
+      while (k < close && !at(k).is(";")) ++k;
+      ++k;
+    }
+    if (!has_instance) {
+      for (const std::size_t k : {i, i + 1, i + 2, close, close + 1}) replace(k, "");
+      return close + 1;
+    }
+    replace(i, "struct");
+    edits_.push_back({at(close).end(), 0, "; uniform " + std::string(name.text)});
+    std::size_t end = close;
+    while (end < tokens_.size() && !at(end).is(";")) ++end;
+    return end;
+  }
+
+  void note(const Token& name) {
+    noted_ = true;
+    const auto& lines = pass_.source.lines;
+    const auto line = static_cast<std::size_t>(name.line - 1);
+    OtherUniform block{std::string(name.text), line < lines.size() ? lines[line] : SourceLine{}};
+    block.is_block = true;
+    pass_.other_uniforms.push_back(std::move(block));
+  }
+
+  void draw_nothing() {
+    for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
+      const bool picture =
+          at(i).is("main") || at(i).is("mainImage") || at(i).is("mainCubemap") || at(i).is("mainVR");
+      if ((!picture && !at(i).is("mainSound")) || !at(i + 1).is("(")) continue;
+      std::size_t close = i + 2;
+      while (close < tokens_.size() && !at(close).is(")")) ++close;
+      if (!at(close + 1).is("{")) continue;
+      edits_.push_back({at(close + 1).end(), 0, picture ? " discard;" : " return vec2(0.0);"});
+    }
+  }
+
+  Pass& pass_;
+  std::vector<Token> tokens_;
+  std::vector<Edit> edits_;
+  bool noted_ = false;
+};
+
+}  // namespace
+
+void empty_uniform_blocks(Pass& pass) {
+  Emptier(pass).run();
+}
+
+}  // namespace shadertwin
