@@ -139,6 +139,13 @@ int chosen_pass(const Project& project, const PlayOptions& o) {
   return need_pass(project, o.pass);
 }
 
+void check_pixel(glm::ivec2 pixel, glm::ivec2 size) {
+  if (pixel.x < size.x && pixel.y < size.y) return;
+  throw Error(ExitStatus::usage, "--pixel " + std::to_string(pixel.x) + ',' + std::to_string(pixel.y) +
+                                     ": expected X,Y inside the " + std::to_string(size.x) + 'x' +
+                                     std::to_string(size.y) + " picture");
+}
+
 LoadOptions make_load_options(const PlayOptions& o) {
   LoadOptions load_options;
   load_options.media = o.media;

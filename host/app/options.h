@@ -57,6 +57,9 @@ void refuse_for_gl(const PlayOptions& options, const DeviceChoice& on);
 // Throws Error(usage) for an option that has no effect on the loaded project.
 void refuse_for_project(const PlayOptions& options, const Project& project);
 
+// Throws Error(usage) if --pixel lies outside of a picture of that size.
+void check_pixel(glm::ivec2 pixel, glm::ivec2 size);
+
 LoadOptions make_load_options(const PlayOptions& options);
 // Index of the pass that --pass names, or of the last one. Throws Error(usage) if there is none of that name.
 int chosen_pass(const Project& project, const PlayOptions& options);
