@@ -6,6 +6,7 @@
 namespace shadertwin::app {
 
 // Callbacks throw Error; main turns that into one line and an exit status.
+void add_accuracy(CLI::App& app);
 void add_check(CLI::App& app);
 void add_compare(CLI::App& app);
 // `arguments`: of the whole program, without its name; gdb starts it again with them.

@@ -25,15 +25,6 @@ DeviceChoice read_twin(const std::string& text) {
   return read_device(text);
 }
 
-void check_pixel(const DebugOptions& options) {
-  const Schedule& schedule = options.schedule;
-  if (options.pixel.x < schedule.width && options.pixel.y < schedule.height) return;
-  throw Error(ExitStatus::usage, "--pixel " + std::to_string(options.pixel.x) + ',' +
-                                     std::to_string(options.pixel.y) + ": expected X,Y inside the " +
-                                     std::to_string(schedule.width) + 'x' + std::to_string(schedule.height) +
-                                     " picture");
-}
-
 // What gdb runs: plays up to the pixel, with a stop in front of it.
 void play_to_the_pixel(const DebugOptions& options) {
   const Project project = load(options);
@@ -116,7 +107,7 @@ void add_debug(CLI::App& app, const std::vector<std::string>& arguments) {
   command->callback([options, arguments] {
     if (options->inside) return play_to_the_pixel(*options);
     // What is wrong with the shader or the options must show before gdb hides it.
-    check_pixel(*options);
+    check_pixel(options->pixel, {options->schedule.width, options->schedule.height});
     const Project project = load(*options);
     chosen_pass(project, *options);
     become_gdb(*options, arguments);

@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
   shadertwin::app::add_compare(app);
   shadertwin::app::add_sweep(app);
   shadertwin::app::add_check(app);
+  shadertwin::app::add_accuracy(app);
   shadertwin::app::add_export(app);
   shadertwin::app::add_debug(app, {argv + 1, argv + argc});
   shadertwin::app::add_devices(app);

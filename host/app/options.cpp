@@ -17,13 +17,13 @@ using enum Command;
 using enum NoEffect;
 using Commands = std::initializer_list<Command>;
 
-constexpr Commands all = {view, render, compare, sweep, check, export_, debug};
+constexpr Commands all = {view, render, compare, sweep, check, accuracy, export_, debug};
 // `sweep` has some as axes of its own.
-constexpr Commands all_with_one_value = {view, render, compare, check, export_, debug};
-constexpr Commands those_with_one_size = {view, render, compare, check, debug};
-constexpr Commands those_with_a_clock = {view, render, compare, sweep, check, debug};
-constexpr Commands those_with_a_script = {render, compare, sweep, check, debug};
-constexpr Commands those_with_a_pass = {view, render, compare, sweep, debug};
+constexpr Commands all_with_one_value = {view, render, compare, check, accuracy, export_, debug};
+constexpr Commands those_with_one_size = {view, render, compare, check, accuracy, debug};
+constexpr Commands those_with_a_clock = {view, render, compare, sweep, check, accuracy, debug};
+constexpr Commands those_with_a_script = {render, compare, sweep, check, accuracy, debug};
+constexpr Commands those_with_a_pass = {view, render, compare, sweep, accuracy, debug};
 constexpr Commands those_with_a_picture = {view, render, compare, debug};
 
 template <typename List, typename T>
@@ -180,12 +180,12 @@ void add_options(CLI::App& app, Command command, PlayOptions& o) {
         app, "--tile", o.tile, read_region,
         "X,Y,WIDTH,HEIGHT: on the twin, draw only these pixels of the last pass, from the lower left");
   });
-  declare({view, render, compare, sweep, check}, {on_opengl}, [&] {
+  declare({view, render, compare, sweep, check, accuracy}, {on_opengl}, [&] {
     return add_value(app, "--timeout", o.timeout, read_timeout,
                      "on the twin, give up on a frame after so many seconds (0: never)", "0")
         ->type_name("FLOAT");
   });
-  declare({render, compare, sweep, check}, {},
+  declare({render, compare, sweep, check, accuracy}, {},
           [&] { return app.add_option("--json", o.json, "also write a report to this file"); });
 }
 
@@ -222,6 +222,13 @@ std::string options_text(const PlayOptions& o) {
 int chosen_pass(const Project& project, const PlayOptions& o) {
   if (o.pass.empty()) return static_cast<int>(project.passes.size()) - 1;
   return need_pass(project, o.pass);
+}
+
+void check_pixel(glm::ivec2 pixel, glm::ivec2 size) {
+  if (pixel.x < size.x && pixel.y < size.y) return;
+  throw Error(ExitStatus::usage, "--pixel " + std::to_string(pixel.x) + ',' + std::to_string(pixel.y) +
+                                     ": expected X,Y inside the " + std::to_string(size.x) + 'x' +
+                                     std::to_string(size.y) + " picture");
 }
 
 Project load(const PlayOptions& o, Warnings warnings) {

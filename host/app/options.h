@@ -15,7 +15,7 @@
 
 namespace shadertwin::app {
 
-enum class Command { view, render, compare, sweep, check, export_, debug };
+enum class Command { view, render, compare, sweep, check, accuracy, export_, debug };
 
 // Where an option may change nothing.
 enum class NoEffect {
@@ -62,6 +62,9 @@ void refuse_for_player(const PlayOptions& options, const DeviceChoice& on);
 // The options that change a pixel, as they were given, to be typed again behind a command that looks into a
 // frame; but for those of the frame itself, which view::commands_for_pixel() says.
 std::string options_text(const PlayOptions& options);
+
+// Throws Error(usage) if --pixel lies outside of a picture of that size.
+void check_pixel(glm::ivec2 pixel, glm::ivec2 size);
 
 // Index of the pass that --pass names, or of the last one. Throws Error(usage) if there is none of that name.
 int chosen_pass(const Project& project, const PlayOptions& options);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <glm/glm.hpp>
 
 #include "host/base/assert.h"
 
@@ -29,8 +28,9 @@ std::uint32_t percentile(std::vector<std::uint32_t>& distances, double share) {
   return distances[static_cast<std::size_t>(rank)];
 }
 
-// Blue to red as x goes from 0 to 1.
-glm::vec3 ramp(float x) {
+}  // namespace
+
+glm::vec3 heat(float x) {
   static constexpr std::array<glm::vec3, 5> stops = {glm::vec3(0.1F, 0.2F, 0.8F), glm::vec3(0.0F, 0.7F, 0.8F),
                                                      glm::vec3(0.2F, 0.8F, 0.2F), glm::vec3(1.0F, 0.9F, 0.1F),
                                                      glm::vec3(0.9F, 0.1F, 0.1F)};
@@ -38,8 +38,6 @@ glm::vec3 ramp(float x) {
   const auto left = std::min(static_cast<std::size_t>(at), stops.size() - 2);
   return glm::mix(stops[left], stops[left + 1], at - static_cast<float>(left));
 }
-
-}  // namespace
 
 std::uint32_t ulp_distance(float a, float b) {
   if (std::isnan(a) && std::isnan(b)) return 0;
@@ -92,7 +90,7 @@ Image heatmap(const Image& a, const Image& b) {
     if (distance == nan_distance)
       color = {1.0F, 0.0F, 1.0F};
     else if (!equal)
-      color = ramp(std::log2(static_cast<float>(std::max(distance, 1U))) / 31.0F);
+      color = heat(std::log2(static_cast<float>(std::max(distance, 1U))) / 31.0F);
     map.rgba[i] = color.r;
     map.rgba[i + 1] = color.g;
     map.rgba[i + 2] = color.b;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/glm.hpp>
 
 #include "host/image/image.h"
 
@@ -34,6 +35,9 @@ struct ChannelDifference {
 
 // One entry for each of r, g, b and a. The pictures must have one size.
 std::array<ChannelDifference, 4> compare(const Image& a, const Image& b);
+
+// The colours of heat maps: blue to red as x goes from 0 to 1.
+glm::vec3 heat(float x);
 
 // A picture of where they differ: black where all four channels have the same bits, then blue, green, yellow
 // and red with the logarithm of the largest distance (1 ULP to 2^31), magenta where just one of the two is

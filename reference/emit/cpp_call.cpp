@@ -69,7 +69,9 @@ Expression CppExpressions::constructor(const TIntermAggregate& node) {
   if (type.isArray()) return {name + "{{" + values + "}}", Binding::postfix};
   if (type.isStruct()) return {name + "{" + values + "}", Binding::postfix};
   const bool plain = is_plain_constructor(type, node.getSequence());
-  return call_of(plain ? name : "make<" + name + ">", values);
+  if (plain) return call_of(name, values);
+  const bool of_integers = type.getBasicType() != EbtFloat;
+  return of_integers ? made(name, node, values) : call_of("make<" + name + ">", values);
 }
 
 Expression CppExpressions::builtin_call(const TIntermAggregate& node) {
@@ -80,7 +82,7 @@ Expression CppExpressions::builtin_call(const TIntermAggregate& node) {
     const std::string part = names_.take("whole");
     out_.statement(context_.type(whole.getType()) + " " + part);
     const std::string given = expression(*sequence[0]->getAsTyped()).text;
-    const Expression fraction = temporary(node, call_of(name, given + ", " + part).text);
+    const Expression fraction = temporary(node, function_call(name, node, given + ", " + part).text);
     copy_out(place(whole, false), part);
     return fraction;
   }
@@ -88,7 +90,11 @@ Expression CppExpressions::builtin_call(const TIntermAggregate& node) {
   if (!context_.options().checks) {
     if (const Expression special = special_case(node); !special.is_empty()) return special;
   }
-  const Expression result = call_of(name, arguments(sequence));
+  const bool computes = !reads_texture(node.getOp()) && !sequence.empty() &&
+                        sequence[0]->getAsTyped()->getBasicType() == EbtFloat;
+  const std::string given = arguments(sequence);
+  if (is_derivative(node.getOp())) return derivative(name, node, given);
+  const Expression result = computes ? function_call(name, node, given) : call_of(name, given);
   const bool samples = reads_texture(node.getOp()) && node.getBasicType() == EbtFloat;
   return context_.options().checks && samples ? call_of("sampled__", result.text) : result;
 }

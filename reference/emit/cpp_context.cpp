@@ -28,6 +28,24 @@ class TypeCollector : public TIntermTraverser {
   }
 };
 
+class ConstantCollector : public TIntermTraverser {
+ public:
+  std::vector<const TIntermConstantUnion*> constants;
+
+  void visitConstantUnion(TIntermConstantUnion* node) override { constants.push_back(node); }
+};
+
+// Whether `exact` is `values` but for rounding.
+bool is_same_constant(const TConstUnionArray& exact, const TConstUnionArray& values) {
+  if (exact.size() != values.size()) return false;
+  for (int i = 0; i < values.size(); ++i) {
+    if (exact[i].getType() != values[i].getType()) return false;
+    const double value = number_of(values[i]);
+    if (!(std::fabs(number_of(exact[i]) - value) <= 1e-5 * std::fabs(value))) return false;
+  }
+  return true;
+}
+
 template <class T>
 std::string shortest(T value) {
   std::array<char, 40> buffer{};
@@ -94,8 +112,14 @@ const StructTable::Entry& StructTable::entry(const TType& type) const {
   return entries_[find(type)];
 }
 
-CppContext::CppContext(const Program& program, const CppOptions& options)
-    : program_(program), options_(options), structs_(program) {
+CppContext::CppContext(const Program& program, const CppOptions& options, const SyntaxTree* in_double)
+    : program_(program), options_(options), structs_(program), places_(program.tree()) {
+  if (in_double != nullptr) {
+    ConstantCollector collector;
+    const_cast<TIntermAggregate&>(in_double->root()).traverse(&collector);  // it has no const traversal
+    for (const TIntermConstantUnion* constant : collector.constants)
+      in_double_.emplace(in_double->token_of(*constant), constant);
+  }
   for (const StructTable::Entry& entry : structs_.entries()) {
     names_.reserve(entry.name);
     used_names_.insert(entry.name);
@@ -152,10 +176,16 @@ bool CppContext::is_finite(double value) const {
   return options_.double_precision ? std::isfinite(value) : std::isfinite(static_cast<float>(value));
 }
 
-std::string CppContext::literal(double value) const {
+std::string CppContext::literal(double value, double exact) const {
   if (!is_finite(value)) {
     if (std::isnan(value)) return "uintBitsToFloat(0x7fc00000u)";
     return value > 0 ? "uintBitsToFloat(0x7f800000u)" : "uintBitsToFloat(0xff800000u)";
+  }
+  if (options_.shadows) {
+    const auto rounded = static_cast<float>(value);
+    const bool agrees = static_cast<float>(exact) == rounded;
+    return agrees ? "Float(" + shortest(exact) + ")"
+                  : "Float(" + shortest(rounded) + "f, " + shortest(exact) + ")";
   }
   return options_.double_precision ? shortest(value) : shortest(static_cast<float>(value)) + 'f';
 }
@@ -182,7 +212,7 @@ std::string CppContext::field(const TType& structure, int index) const {
   return structs_.entry(structure).fields[static_cast<std::size_t>(index)];
 }
 
-Expression CppContext::scalar(const TConstUnion& number) const {
+Expression CppContext::scalar(const TConstUnion& number, double exact) const {
   const auto signed_text = [](bool is_negative, const std::string& text) {
     return is_negative ? Expression{text, Binding::prefix, '-'} : Expression{text};
   };
@@ -196,7 +226,7 @@ Expression CppContext::scalar(const TConstUnion& number) const {
       return {number.getBConst() ? "true" : "false"};
     default:
       return signed_text(is_finite(number.getDConst()) && std::signbit(number.getDConst()),
-                         literal(number.getDConst()));
+                         literal(number.getDConst(), exact));
   }
 }
 
@@ -219,11 +249,15 @@ std::string CppContext::value(const TType& type, const TConstUnionArray& values,
                   [&](int i) { return value(*members[i].type, values, at, varying); }) +
            "}";
   }
-  const auto component = [&](int) { return scalar(values[at++]).text; };
+  const auto component = [&](int) {
+    const double in_double = exact(values, at);
+    return scalar(values[at++], in_double).text;
+  };
   const int count = type.isMatrix() ? type.getMatrixCols() * type.getMatrixRows() : type.getVectorSize();
   if (!type.isMatrix() && !type.isVector()) return component(0);
   bool all_equal = type.isVector();
-  for (int i = 1; i < count && all_equal; ++i) all_equal = values[at + i] == values[at];
+  for (int i = 1; i < count && all_equal; ++i)
+    all_equal = values[at + i] == values[at] && exact(values, at + i) == exact(values, at);
   const std::string name = this->type(type, varying);
   std::string text = (type.isMatrix() && varying ? "make<" + name + ">" : name) + "(";
   if (all_equal && (values[at].getType() != EbtFloat || values[at].getDConst() != 0 ||
@@ -234,6 +268,10 @@ std::string CppContext::value(const TType& type, const TConstUnionArray& values,
     text += joined(count, component);
   }
   return text + ")";
+}
+
+double CppContext::exact(const TConstUnionArray& values, int at) const {
+  return number_of((exact_values_ != nullptr ? *exact_values_ : values)[at]);
 }
 
 std::string CppContext::named_constant(const TIntermConstantUnion& node) {
@@ -269,12 +307,18 @@ Expression CppContext::constant(const TIntermConstantUnion& node, bool varying) 
   const std::string name = named_constant(node);
   const bool named = !name.empty() && (is_large(type) || is_global_constant(name, node));
   const bool wide = options_.packets && (varying || is_wide_constant(type));
+  exact_values_ = nullptr;
+  const auto [first, last] = in_double_.equal_range(program_.tree().token_of(node));
+  for (auto found = first; found != last && exact_values_ == nullptr; ++found)
+    if (is_same_constant(found->second->getConstArray(), node.getConstArray()))
+      exact_values_ = &found->second->getConstArray();
   const auto value = [&] {
     int at = 0;
     return this->value(type, node.getConstArray(), at, wide);
   };
   if (named || type.isArray()) return {hoist(named ? name : "constant", this->type(type, wide), value())};
-  Expression literal = type.isScalar() ? scalar(node.getConstArray()[0]) : Expression{value()};
+  Expression literal =
+      type.isScalar() ? scalar(node.getConstArray()[0], exact(node.getConstArray(), 0)) : Expression{value()};
   literal.is_literal = true;
   return literal;
 }

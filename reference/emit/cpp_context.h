@@ -9,6 +9,7 @@
 #include "reference/emit/emit_cpp.h"
 #include "reference/emit/expression.h"
 #include "reference/emit/names.h"
+#include "reference/emit/places.h"
 #include "reference/emit/program.h"
 
 namespace shadertwin::emit {
@@ -36,16 +37,18 @@ class StructTable {
 
 class CppContext {
  public:
-  CppContext(const Program& program, const CppOptions& options);
+  // `in_double`: the same text with constants folded in double, for twins with shadows.
+  CppContext(const Program& program, const CppOptions& options, const SyntaxTree* in_double = nullptr);
 
   const Program& program() const { return program_; }
   const CppOptions& options() const { return options_; }
   const StructTable& structs() const { return structs_; }
+  Places& places() { return places_; }
 
   // `vec3`, `Ray`, `array<Float, 4>` ... Where pixels run in packets, `varying` tells whether the value may
   // differ between them: `Float` and `vec3`, or `float` and `uniform::vec3`.
   std::string type(const glslang::TType& type, bool varying = false) const;
-  std::string literal(double value) const;
+  std::string literal(double value) const { return literal(value, value); }
   std::string global(const glslang::TIntermSymbol& symbol) const;
   std::string function(const std::string& glsl_name) const;
   std::string builtin(const std::string& glsl_name) const;
@@ -66,7 +69,11 @@ class CppContext {
 
  private:
   bool is_finite(double value) const;
-  Expression scalar(const glslang::TConstUnion& number) const;
+  // `exact`: the same in double.
+  std::string literal(double value, double exact) const;
+  Expression scalar(const glslang::TConstUnion& number, double exact) const;
+  // A number of the constant that is being written, in double.
+  double exact(const glslang::TConstUnionArray& values, int at) const;
   std::string named_constant(const glslang::TIntermConstantUnion& node);
   bool is_global_constant(const std::string& name, const glslang::TIntermConstantUnion& node) const;
   std::string hoist(const std::string& wanted_name, const std::string& type, const std::string& value);
@@ -74,6 +81,7 @@ class CppContext {
   const Program& program_;
   CppOptions options_;
   StructTable structs_;
+  Places places_;
   NameScope names_;
   std::map<SymbolId, std::string> globals_;
   std::map<std::string, std::string> functions_;
@@ -81,6 +89,8 @@ class CppContext {
   std::map<std::string, std::string> hoisted_names_;                // by wanted name and value
   std::vector<std::string> hoisted_;
   std::set<std::string> used_names_;
+  std::multimap<int, const glslang::TIntermConstantUnion*> in_double_;  // by token
+  const glslang::TConstUnionArray* exact_values_ = nullptr;  // of the constant that is being written
 };
 
 // Whether packets hold a constant of this type as one of varying values. Structures have no other shape, and

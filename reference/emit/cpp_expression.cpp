@@ -206,10 +206,27 @@ Expression CppExpressions::arithmetic(TOperator op, const TIntermTyped& left, co
     return op == EOpEqual ? call_of("same__", both)
                           : Expression{"!same__(" + both + ")", Binding::prefix, '!'};
   if (needs_division_check(op, left, right)) return call_of("checked_divide", both);
+  if (const Expression told = operation(op, left, right, both); !told.is_empty()) return told;
   BinaryOperator sign = binary_operator(op);
   if (op == EOpLogicalXor) sign = binary_operator(EOpNotEqual);
   return {left_text.at_least(sign.binding) + ' ' + sign.sign + ' ' + right_text.at_least(above(sign.binding)),
           sign.binding};
+}
+
+Expression CppExpressions::operation(TOperator op, const TIntermTyped& left, const TIntermTyped& right,
+                                     const std::string& operands) {
+  const char* name = operation_name(op);
+  const TBasicType type = left.getBasicType();
+  if (!context_.options().shadows || name == nullptr || (type != EbtFloat && type != EbtStruct)) return {};
+  const int place = context_.places().of_operation(left, right);
+  return place == 0 ? Expression{} : call_of(name, std::to_string(place) + ", " + operands);
+}
+
+Expression CppExpressions::function_call(const std::string& name, const TIntermTyped& node,
+                                         const std::string& arguments) {
+  const int place = context_.options().shadows ? context_.places().of_call(node) : 0;
+  return place == 0 ? call_of(name, arguments)
+                    : call_of(name + "_at__", std::to_string(place) + ", " + arguments);
 }
 
 bool CppExpressions::needs_division_check(TOperator op, const TIntermTyped& left,
@@ -227,7 +244,16 @@ Expression CppExpressions::conversion(const TIntermTyped& node, const TIntermTyp
   const bool plain = node.isScalar() && operand.isScalar() && node.getBasicType() != EbtBool &&
                      operand.getBasicType() != EbtFloat && !varies(node);
   const std::string type = type_of(node);
-  return call_of(plain ? type : "make<" + type + ">", expression(operand).text);
+  const std::string value = expression(operand).text;
+  if (plain) return call_of(type, value);
+  return operand.getBasicType() == EbtFloat ? made(type, node, value) : call_of("make<" + type + ">", value);
+}
+
+Expression CppExpressions::made(const std::string& type, const TIntermTyped& node,
+                                const std::string& values) {
+  const int place = context_.options().shadows ? context_.places().of_call(node) : 0;
+  return place == 0 ? call_of("make<" + type + ">", values)
+                    : call_of("make_at__<" + type + ">", std::to_string(place) + ", " + values);
 }
 
 Expression CppExpressions::unary(const TIntermUnary& node) {
@@ -250,8 +276,20 @@ Expression CppExpressions::unary(const TIntermUnary& node) {
     default:
       break;
   }
-  if (const char* name = builtin_name(op)) return call_of(context_.builtin(name), expression(operand).text);
+  if (const char* name = builtin_name(op)) {
+    const std::string value = expression(operand).text;
+    if (operand.getBasicType() != EbtFloat) return call_of(context_.builtin(name), value);
+    if (is_derivative(op)) return derivative(context_.builtin(name), node, value);
+    return function_call(context_.builtin(name), node, value);
+  }
   return conversion(node, operand);
+}
+
+// A member of the invocation, whose quads meet by the line that it is called on.
+Expression CppExpressions::derivative(const std::string& name, const TIntermTyped& node,
+                                      const std::string& value) {
+  const int place = context_.options().shadows ? context_.places().of_call(node) : 0;
+  return call_of(name, place == 0 ? value : "at__(" + std::to_string(place) + ", " + value + ")");
 }
 
 Expression CppExpressions::selection(const TIntermSelection& node) {

@@ -92,6 +92,15 @@ class CppExpressions {
   // Whether `left / right` is a division of floats that a checking twin looks at.
   bool needs_division_check(glslang::TOperator op, const glslang::TIntermTyped& left,
                             const glslang::TIntermTyped& right) const;
+  // For a twin with shadows: `left op right` at its place; empty if it says nothing there.
+  Expression operation(glslang::TOperator op, const glslang::TIntermTyped& left,
+                       const glslang::TIntermTyped& right, const std::string& operands);
+  // A call of a function that may lose digits: `sin_at__(12, x)` in a twin with shadows.
+  Expression function_call(const std::string& name, const glslang::TIntermTyped& node,
+                           const std::string& arguments);
+  // make<ivec2>(x) of floats.
+  Expression made(const std::string& type, const glslang::TIntermTyped& node, const std::string& values);
+  Expression derivative(const std::string& name, const glslang::TIntermTyped& node, const std::string& value);
   Expression index(const glslang::TIntermBinary& node);
   Expression component(const Swizzle& swizzle);
   Expression unary(const glslang::TIntermUnary& node);

@@ -119,14 +119,22 @@ std::string CppFunction::mark() const {
   return "mark__(" + std::to_string(source.file) + ", " + std::to_string(source.line) + ")";
 }
 
+bool CppFunction::watches(const TType& type) const {
+  if (context_.options().shadows) return is_plain_value(type) && type.getBasicType() == EbtFloat;
+  return context_.options().checks && is_plain_value(type);
+}
+
+std::string CppFunction::watch_arguments() {
+  if (!context_.options().shadows) return {};
+  return std::to_string(context_.places().of_line(out_.source())) + ", ";
+}
+
 void CppFunction::watch(const TType& type, const std::string& text) {
-  if (context_.options().checks && is_plain_value(type)) out_.statement("watch__(" + text + ")");
+  if (watches(type)) out_.statement("watch__(" + watch_arguments() + text + ")");
 }
 
 void CppFunction::watch(const TIntermTyped& left) {
-  if (!context_.options().checks || !is_plain_value(left.getType()) ||
-      context_.program().effects(left).writes_any())
-    return;
+  if (!watches(left.getType()) || context_.program().effects(left).writes_any()) return;
   std::string text;
   if (out_.capture([&] { text = expressions_.value(left).text; }).empty()) watch(left.getType(), text);
 }
@@ -263,8 +271,7 @@ void CppFunction::jump(const TIntermBranch& node) {
   if (node.getExpression() == nullptr) return out_.statement("return");
   std::string text = expressions_.value(*node.getExpression()).text;
   const TType& type = node.getExpression()->getType();
-  if (context_.options().checks && is_plain_value(type))
-    text = "watched__<" + context_.type(type) + ">(" + text + ")";
+  if (watches(type)) text = "watched__<" + context_.type(type) + ">(" + watch_arguments() + text + ")";
   out_.statement("return " + text);
 }
 
@@ -356,7 +363,8 @@ void CppFunction::loop(const TIntermLoop& node, const std::string& initialiser) 
 
 void CppFunction::begin_round() {
   if (context_.options().loop_guards) out_.statement("loop_guard__()");
-  if (context_.options().checks) out_.statement("if (round__()) stop_invocation__()");
+  if (context_.options().checks || context_.options().shadows)
+    out_.statement("if (round__()) stop_invocation__()");
 }
 
 void CppFunction::loop_body(const TIntermLoop& node) {

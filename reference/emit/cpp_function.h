@@ -75,7 +75,10 @@ class CppFunction {
   std::string take_name(const glslang::TIntermSymbol& symbol);
   void reset_out_parameters();
   void at(const TIntermNode& node);
-  // For a twin that checks: where it is, and the value that `left` has got.
+  // For a twin that checks or has shadows: where it is, and the value that `left` has got.
+  bool watches(const glslang::TType& type) const;
+  // What stands in front of a watched value: the place of the line, in a twin with shadows.
+  std::string watch_arguments();
   std::string mark() const;
   void watch(const glslang::TIntermTyped& left);
   void watch(const glslang::TType& type, const std::string& text);

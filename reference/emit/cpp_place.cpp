@@ -144,6 +144,8 @@ Expression CppExpressions::assignment(const TIntermBinary& node, bool wants_valu
   const bool spelled_out =
       op.plain != EOpNull &&
       (integer_function(op.plain, left, right) != nullptr || needs_division_check(op.plain, left, right) ||
+       (context_.options().shadows && operation_name(op.plain) != nullptr &&
+        left.getBasicType() == EbtFloat) ||
        (right.isMatrix() && op.plain != EOpAdd && op.plain != EOpSub));
   if (spelled_out) {
     if (has_effects(right)) value = temporary(right, value.text);  // the place is read behind it
@@ -165,6 +167,9 @@ Expression CppExpressions::increment(const TIntermUnary& node, bool wants_value)
   const TIntermTyped& operand = *node.getOperand();
   const Step step = step_of(node.getOp());
   const Place target = place(operand, false);
+  const int place_number =
+      context_.options().shadows && operand.getBasicType() == EbtFloat ? context_.places().of_call(node) : 0;
+  if (place_number != 0) out_.statement("at__(" + std::to_string(place_number) + ")");
   if (operand.isScalar()) {
     const std::string sign(2, step.sign);
     return step.is_prefix ? Expression{sign + target.read, Binding::prefix, step.sign}

@@ -35,7 +35,7 @@ Expression CppExpressions::special_case(const TIntermAggregate& node) {
   const auto call = [&](const std::string& name, const std::vector<TIntermNode*>& operands) {
     std::vector<const TIntermTyped*> typed;
     for (const TIntermNode* operand : operands) typed.push_back(operand->getAsTyped());
-    return call_of(name, arguments(typed, varies(node)));
+    return function_call(name, node, arguments(typed, varies(node)));
   };
   switch (node.getOp()) {
     case EOpMix: {
@@ -60,9 +60,14 @@ Expression CppExpressions::special_case(const TIntermAggregate& node) {
       Expression x = expression(base);
       if (exponent == 1.0) return x;
       if (base.getAsSymbolNode() == nullptr) x = temporary(base, x.text);
-      const std::string square = x.text + " * " + x.text;
+      const int place = context_.options().shadows ? context_.places().of_call(node) : 0;
+      const auto product = [&](const std::string& factor) {
+        return place == 0 ? factor + " * " + factor
+                          : "multiply__(" + std::to_string(place) + ", " + factor + ", " + factor + ")";
+      };
+      const std::string square = product(x.text);
       if (exponent == 2.0) return {square, Binding::product};
-      return {"(" + square + ") * (" + square + ")", Binding::product};
+      return {product("(" + square + ")"), Binding::product};
     }
     default:
       return {};

@@ -49,7 +49,6 @@ class CppText {
 
   std::string take() { return std::move(text_); }
 
- private:
   // A name may hold anything: whatever is not plain is written as an octal escape, so that it can end
   // neither the string nor the line, nor begin a trigraph.
   static std::string escaped(const std::string& name) {
@@ -68,6 +67,7 @@ class CppText {
     return text;
   }
 
+ private:
   const Project& project_;
   std::string own_name_;
   std::string text_;
@@ -77,8 +77,8 @@ class CppText {
 class CppModule {
  public:
   CppModule(const Project& project, const Program& program, const CppOptions& options,
-            const std::string& own_name)
-      : program_(program), context_(program, options), text_(project, own_name) {}
+            const std::string& own_name, const SyntaxTree* in_double = nullptr)
+      : program_(program), context_(program, options, in_double), text_(project, own_name) {}
 
   std::string write_header(const std::string& name) {
     std::vector<CppLine> functions;
@@ -317,10 +317,20 @@ class CppModule {
               (program_.uses_implicit_lod() ? "true" : "false") + ";");
     // Packets discard by their mask.
     const bool stops = (program_.uses_discard() && !context_.options().packets) ||
-                       context_.options().loop_guards || context_.options().checks;
+                       context_.options().loop_guards || context_.options().checks ||
+                       context_.options().shadows;
     text_.add(std::string("  static constexpr bool uses_stop__ = ") + (stops ? "true" : "false") + ";");
     text_.add("  static constexpr std::size_t components__ = " +
               std::to_string(storage.variables + storage.temporaries) + ";");
+    if (context_.options().shadows) places();
+  }
+
+  void places() {
+    text_.add("  static constexpr shadertwin::twin::PlaceName places__[] = {");
+    for (const Places::Place& place : context_.places().all())
+      text_.add("    {" + std::to_string(place.at.file) + ", " + std::to_string(place.at.line) + ", \"" +
+                CppText::escaped(place.text) + "\"},");
+    text_.add("  };");
   }
 
   // The variable that holds the pixel: the output at location 0, or the only one.
@@ -348,7 +358,10 @@ std::string emit_cpp(const Project& project, const Pass& pass, const CppOptions&
   const SyntaxTree tree(project, pass.source, options.double_precision ? Folding::float64 : Folding::float32);
   const Storage storage = measure_allowed_storage(tree);
   const emit::Program program(tree);
-  return emit::CppModule(project, program, options, "twin.cpp").write(storage);
+  std::optional<SyntaxTree> in_double;
+  if (options.shadows) in_double.emplace(project, pass.source, Folding::float64);
+  return emit::CppModule(project, program, options, "twin.cpp", in_double ? &*in_double : nullptr)
+      .write(storage);
 }
 
 std::string emit_header(const Project& project, const Pass& pass, const std::string& name,

@@ -11,6 +11,7 @@ struct CppOptions {
   bool double_precision = false;   // constants are folded and written as double
   bool loop_guards = false;        // every loop asks whether it has to stop
   bool checks = false;             // tells twin::Checks of its places, values and rounds
+  bool shadows = false;            // tells twin::Shadows of its places; for -DSHADERTWIN_SHADOW
   bool packets = false;            // eight pixels run side by side, against twin/packet_invocation.h
   bool initialise_locals = false;  // variables start at zero without the help of a compiler's flag
 };

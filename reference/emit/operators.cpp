@@ -183,6 +183,38 @@ bool is_safe_shift(const TIntermTyped& node) {
 
 }  // namespace
 
+const char* operation_name(TOperator op) {
+  switch (op) {
+    case EOpAdd:
+      return "add__";
+    case EOpSub:
+      return "subtract__";
+    case EOpMul:
+    case EOpVectorTimesScalar:
+    case EOpVectorTimesMatrix:
+    case EOpMatrixTimesVector:
+    case EOpMatrixTimesScalar:
+    case EOpMatrixTimesMatrix:
+      return "multiply__";
+    case EOpDiv:
+      return "divide__";
+    case EOpLessThan:
+      return "less__";
+    case EOpGreaterThan:
+      return "greater__";
+    case EOpLessThanEqual:
+      return "less_equal__";
+    case EOpGreaterThanEqual:
+      return "greater_equal__";
+    case EOpEqual:
+      return "equal__";
+    case EOpNotEqual:
+      return "not_equal__";
+    default:
+      return nullptr;
+  }
+}
+
 const char* integer_function(TOperator op, const TIntermTyped& left, const TIntermTyped& right) {
   if (!is_integer(left.getType())) return nullptr;
   const bool both_scalar = left.getType().isScalar() && right.getType().isScalar();

@@ -57,6 +57,9 @@ bool is_derivative(glslang::TOperator op);
 // GLSL's name of a built-in function, null if `op` isn't one.
 const char* builtin_name(glslang::TOperator op);
 
+// The function of twin::Shadows that does what an operator does; null if it never loses digits.
+const char* operation_name(glslang::TOperator op);
+
 // The function that stands for an integer operator where C++'s own is undefined; null where it never is.
 const char* integer_function(glslang::TOperator op, const glslang::TIntermTyped& left,
                              const glslang::TIntermTyped& right);

@@ -9,6 +9,9 @@
 #include "reference/glsl/overloads.h"
 #include "reference/glsl/packing.h"
 #include "reference/glsl/trigonometry.h"
+#ifdef SHADERTWIN_SHADOW
+#include "reference/glsl/shadow_functions.h"
+#endif
 
 namespace shadertwin::glsl::inline SHADERTWIN_PRECISION {
 

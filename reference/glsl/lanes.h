@@ -5,8 +5,9 @@
 
 #include "reference/glsl/number.h"
 
-// With probes each component goes through a function of its own.
-#if defined(__SSE4_1__) && !defined(SHADERTWIN_DOUBLE) && !defined(SHADERTWIN_CHECK)
+// With probes and shadows each component goes through a function of its own.
+#if defined(__SSE4_1__) && !defined(SHADERTWIN_DOUBLE) && !defined(SHADERTWIN_SHADOW) && \
+    !defined(SHADERTWIN_CHECK)
 #define SHADERTWIN_LANES
 
 namespace shadertwin::glsl::inline SHADERTWIN_PRECISION::detail {

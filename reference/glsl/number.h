@@ -1,7 +1,7 @@
 // What a type of numbers must provide for GLSL's built-in functions, and float and double as such types. The
 // functions are templates over it (exponential.h, trigonometry.h, common.h, geometry.h, matrix.h, integer.h);
 // overloads.h turns them into GLSL's overloads. The numbers of this library are float, double, four floats
-// (lanes.h) and one float for each of eight pixels (packet.h).
+// (lanes.h), one float for each of eight pixels (packet.h), and a float with a double beside it (shadow.h).
 //
 // A number type F has
 // - NumberTypes<F>: the integers and the result of a comparison that go with it. By default int, uint and
@@ -25,8 +25,8 @@
 
 namespace shadertwin::glsl::inline SHADERTWIN_PRECISION::detail {
 
-constexpr Float infinity = std::numeric_limits<Float>::infinity();
-constexpr Float nan = std::numeric_limits<Float>::quiet_NaN();
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 template <class F>
 struct NumberTypes {

@@ -31,7 +31,7 @@ SHADERTWIN_INLINE bool has_nan(const T& x) {
 }
 template <class T>
 SHADERTWIN_INLINE bool has_infinity(const T& x) {
-  return any_component(x, [](auto v) { return std::fabs(static_cast<Float>(v)) == infinity; });
+  return any_component(x, [](auto v) { return std::fabs(static_cast<double>(v)) == infinity; });
 }
 
 }  // namespace detail

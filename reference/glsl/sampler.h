@@ -57,10 +57,19 @@ struct Sampling {
                       const LodRequest& lod);
 };
 
+// What shadows (shadow.h) know of a texture that they have drawn, as three more pictures: the exact texels
+// are the sums of the first two, the third holds their origins as numbers.
+struct ShadowViews {
+  const TextureView* high = nullptr;  // null: the texels are exact
+  const TextureView* low = nullptr;
+  const TextureView* origin = nullptr;
+};
+
 struct BoundTexture {
   const TextureView* view = nullptr;  // null: nothing is bound, and black is read
   const Sampling* sampling = nullptr;
   SamplerState state;
+  ShadowViews shadows{};
 };
 
 struct sampler2D {
@@ -149,12 +158,62 @@ Lod lod_from_steps(const BoundTexture& bound, const Quad<Vector>& p, int lane, b
   return {bound.sampling->footprint(*bound.view, at[lane].v, dx, dy, of_quad)};
 }
 
+#ifdef SHADERTWIN_SHADOW
+SHADERTWIN_INLINE Shadow worse(const Shadow& a, const Shadow& b) {
+  return error_of(b) > error_of(a) ? b : a;
+}
+SHADERTWIN_INLINE Shadow worst_of(vec2 p) {
+  return worse(p.x, p.y);
+}
+SHADERTWIN_INLINE Shadow worst_of(vec3 p) {
+  return worse(worse(p.x, p.y), p.z);
+}
+
+// The double halves of what was read as `rgba`: what the exact coordinates read of the exact texels. Filters
+// are linear, so that of sums the sum of what is read.
+template <class Vector>
+vec4 with_shadows(const BoundTexture& bound, Vector p, const LodRequest& lod, ivec3 offset,
+                  const float* rgba) {
+  vec4 result(rgba[0], rgba[1], rgba[2], rgba[3]);
+  Vector exact;
+  bool moved = false;
+  for (int i = 0; i < Vector::length(); ++i) {
+    exact[i] = static_cast<float>(p[i].exact);
+    moved = moved || exact[i].value != p[i].value;
+  }
+  if (!moved && bound.shadows.high == nullptr) return result;
+  const auto sample = [&](const TextureView& view, const SamplerState& state, float* texel) {
+    bound.sampling->sample(view, state, coordinates(exact).v, &offset.x, lod, texel);
+  };
+  float texel[4];
+  float low[4] = {};
+  sample(bound.shadows.high != nullptr ? *bound.shadows.high : *bound.view, bound.state, texel);
+  if (bound.shadows.low != nullptr) sample(*bound.shadows.low, bound.state, low);
+  for (int i = 0; i < 4; ++i) {
+    result[i].exact = texel[i];
+    if (low[i] != 0.0F) result[i].exact += low[i];
+  }
+  if (is_plain(result.x) && is_plain(result.y) && is_plain(result.z) && is_plain(result.w)) return result;
+  SamplerState nearest;
+  nearest.wrap = bound.state.wrap;
+  float origin[4] = {};
+  if (bound.shadows.origin != nullptr) sample(*bound.shadows.origin, nearest, origin);
+  const std::uint32_t of_place = worst_of(p).origin;
+  for (int i = 0; i < 4; ++i) result[i].origin = origin[i] != 0.0F ? static_cast<uint>(origin[i]) : of_place;
+  return result;
+}
+#endif
+
 template <class Vector>
 vec4 sampled(const BoundTexture& bound, Vector p, const LodRequest& lod, ivec3 offset = ivec3(0)) {
   if (bound.view == nullptr) return vec4(0, 0, 0, 1);
   float rgba[4];
   bound.sampling->sample(*bound.view, bound.state, coordinates(p).v, &offset.x, lod, rgba);
+#ifdef SHADERTWIN_SHADOW
+  return with_shadows(bound, p, lod, offset, rgba);
+#else
   return vec4(rgba[0], rgba[1], rgba[2], rgba[3]);
+#endif
 }
 
 SHADERTWIN_INLINE LodRequest request(Lod lod) {
@@ -196,7 +255,21 @@ inline vec4 fetched(const BoundTexture& bound, ivec3 p, int lod) {
       (static_cast<std::size_t>(p.z) * level.height + static_cast<std::size_t>(p.y)) * level.width + p.x;
   if (bound.view->is_float) {
     const float* rgba = static_cast<const float*>(level.texels) + 4 * texel;
-    return vec4(rgba[0], rgba[1], rgba[2], rgba[3]);
+    vec4 result(rgba[0], rgba[1], rgba[2], rgba[3]);
+#ifdef SHADERTWIN_SHADOW
+    if (const ShadowViews& shadows = bound.shadows; shadows.high != nullptr) {
+      const auto at = [&](const TextureView* view, int i) {
+        return static_cast<const float*>(view->level[lod].texels)[4 * texel + i];
+      };
+      for (int i = 0; i < 4; ++i) {
+        const float low = at(shadows.low, i);
+        result[i].exact = at(shadows.high, i);
+        if (low != 0.0F) result[i].exact += low;
+        result[i].origin = static_cast<uint>(at(shadows.origin, i));
+      }
+    }
+#endif
+    return result;
   }
   const std::uint8_t* rgba = static_cast<const std::uint8_t*>(level.texels) + 4 * texel;
   constexpr float scale = 1.0F / 255.0F;

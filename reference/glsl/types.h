@@ -1,6 +1,7 @@
 // GLSL's types: scalars, GLM's vectors and matrices, arrays by value, swizzled writes and constructors.
 //
-// SHADERTWIN_DOUBLE widens Float and every vecN and matN to double.
+// SHADERTWIN_DOUBLE widens Float and every vecN and matN to double; SHADERTWIN_SHADOW makes each number a
+// float and a double side by side (shadow.h).
 #pragma once
 
 #ifndef GLM_FORCE_SWIZZLE
@@ -38,8 +39,10 @@
 #endif
 
 // Floats and doubles live in inline namespaces of their own, so that one program can hold both.
-#ifdef SHADERTWIN_DOUBLE
+#if defined(SHADERTWIN_DOUBLE)
 #define SHADERTWIN_PRECISION as_double
+#elif defined(SHADERTWIN_SHADOW)
+#define SHADERTWIN_PRECISION as_shadow
 #else
 #define SHADERTWIN_PRECISION as_float
 #endif
@@ -53,10 +56,16 @@
 // arguments.
 #define SHADERTWIN_OUTLINE [[gnu::noinline]]
 
+#ifdef SHADERTWIN_SHADOW
+#include "reference/glsl/shadow.h"
+#endif
+
 namespace shadertwin::glsl::inline SHADERTWIN_PRECISION {
 
-#ifdef SHADERTWIN_DOUBLE
+#if defined(SHADERTWIN_DOUBLE)
 using Float = double;
+#elif defined(SHADERTWIN_SHADOW)
+using Float = Shadow;
 #else
 using Float = float;
 #endif
@@ -222,6 +231,21 @@ SHADERTWIN_INLINE uint float_to_uint(F x) {
   SHADERTWIN_PROBE(!(x > F(-1) && x < F(4294967296.0)), conversion_out_of_range);
   return !(x > F(0)) ? 0U : x >= F(4294967296.0) ? UINT32_MAX : static_cast<uint>(x);
 }
+#ifdef SHADERTWIN_SHADOW
+SHADERTWIN_INLINE int float_to_int(const Shadow& x) {
+  const int of_float = float_to_int(x.value);
+  const int of_double = float_to_int(x.exact);
+  return of_float == of_double ? of_float : parted__(of_float, of_double, x);
+}
+SHADERTWIN_INLINE uint float_to_uint(const Shadow& x) {
+  const uint of_float = float_to_uint(x.value);
+  const uint of_double = float_to_uint(x.exact);
+  return of_float == of_double ? of_float : parted__(of_float, of_double, x);
+}
+#endif
+
+template <class T>
+constexpr bool is_real = std::is_floating_point_v<T> || std::is_same_v<T, Float>;
 
 template <class To, class From>
 SHADERTWIN_INLINE To convert(From x) {
@@ -229,9 +253,9 @@ SHADERTWIN_INLINE To convert(From x) {
     return x;
   } else if constexpr (std::is_same_v<To, bool>) {
     return x != From(0);
-  } else if constexpr (std::is_floating_point_v<From> && std::is_same_v<To, int>) {
+  } else if constexpr (is_real<From> && std::is_same_v<To, int>) {
     return float_to_int(x);
-  } else if constexpr (std::is_floating_point_v<From> && std::is_same_v<To, uint>) {
+  } else if constexpr (is_real<From> && std::is_same_v<To, uint>) {
     return float_to_uint(x);
   } else {
     return static_cast<To>(x);

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace shadertwin::twin {
 
 // Changes whenever a twin compiled before the change can't be run any more.
-constexpr int abi_version = 4;
+constexpr int abi_version = 5;
 
 // The value of a uniform, by name.
 struct UniformValue {
@@ -22,7 +23,7 @@ struct UniformValue {
 // at (x + i % 2, y + i / 2).
 struct QuadExchange {
   static constexpr int lanes = 4;
-  static constexpr std::size_t max_bytes = 4 * sizeof(double);
+  static constexpr std::size_t max_bytes = 4 * 2 * sizeof(double);  // four shadows
 
   struct Slot {
     alignas(32) unsigned char value[max_bytes];
@@ -59,6 +60,90 @@ struct CheckLog {
   void (*value)(void* user, int x, int y, CheckPlace place, const void* bytes, std::size_t size) = nullptr;
 };
 
+// --- Shadows: twins compiled with SHADERTWIN_SHADOW --------------------------
+
+// One number of a pixel that such a twin draws: glsl::Shadow.
+struct ShadowNumber {
+  float value;
+  std::uint32_t origin;  // 1 + the operation's place, counted through all passes; 0: none
+  double exact;
+};
+
+// An operation, a comparison or an assignment in the shader's text. Place 0 is none.
+struct PlaceName {
+  int file = -1;  // as CheckPlace has it
+  int line = 0;
+  const char* text = "";  // as the shader has it; empty for an assignment or a return
+};
+
+struct PixelPlace {
+  int frame = 0;
+  int x = 0;
+  int y = 0;
+};
+
+// What happened at a place.
+struct PlaceRecord {
+  static constexpr int most_operands = 3;
+
+  // Operations whose own error is notable, and the worst of them. `loss` is a glsl::Loss.
+  std::uint64_t losses = 0;
+  double own = -1.0;  // its own error, relative to its result
+  int loss = 0;
+  PixelPlace lost_at;
+  int operand_count = 0;
+  ShadowNumber operands[most_operands]{};
+  ShadowNumber result{};
+
+  // Pixels in which float and double decide differently here, the first such decision, and how far the
+  // picture is at most from what double makes of its own decisions.
+  std::uint64_t parted = 0;
+  PixelPlace parted_at;
+  ShadowNumber sides[2]{};
+  bool is_number = false;   // one number that becomes an integer, not two that are compared
+  std::uint64_t tried = 0;  // of `parted`: pixels that were run again, as double decides
+  std::uint64_t moved = 0;  // of `tried`: pixels in which that is more than ShadowLog::threshold
+  double moved_by = 0.0;
+  PixelPlace moved_at;
+
+  // Numbers that are assigned or returned here.
+  std::uint64_t numbers = 0;
+  std::uint64_t not_finite = 0;  // whose error is infinite or no number: not in the sum
+  double error_sum = 0.0;        // of relative errors
+  double error = 0.0;            // the largest
+  PixelPlace error_at;
+};
+
+// Whom a twin with shadows tells what it finds.
+struct ShadowLog {
+  PlaceRecord* records = nullptr;  // of this thread, one for each place
+  std::uint32_t first_place = 0;   // of the pass, counted through all passes
+  int frame = 0;
+  float* moved = nullptr;  // as Request::pixels, one number a pixel: PlaceRecord::moved_by of that pixel
+  double threshold = 0.0;  // of picture_error()
+  bool is_picture = false;
+  // One pixel is told operation by operation; null: none is.
+  bool (*wants_steps)(void* user, int x, int y) = nullptr;
+  void (*step)(void* user, int place, const ShadowNumber* operands, int count, const ShadowNumber* result,
+               double own) = nullptr;
+  void* user = nullptr;
+};
+
+// How far a number of a pixel is from what it should be. In the picture that is seen, between 0 and 1 as
+// screens show it; in a buffer, relative to numbers above 1. 1 at most; also where just one is no number.
+inline double picture_error(bool is_picture, double value, double exact) {
+  if (value != value || exact != exact) return value != value && exact != exact ? 0.0 : 1.0;
+  const auto shown = [](double x) { return x < 0.0 ? 0.0 : x > 1.0 ? 1.0 : x; };
+  const auto size = [](double x) { return x < 0.0 ? -x : x; };
+  if (is_picture) return size(shown(value) - shown(exact));
+  if (value == exact) return 0.0;
+  const double largest = size(value) > size(exact) ? size(value) : size(exact);
+  const double error = size(value - exact) / (largest > 1.0 ? largest : 1.0);
+  return error <= 1.0 ? error : 1.0;
+}
+
+// --- Drawing ----------------------------------------------------------------
+
 // A rectangle of pixels to draw.
 struct Request {
   const UniformValue* uniforms = nullptr;
@@ -70,7 +155,8 @@ struct Request {
   RunQuad run_quad = nullptr;
   void* quad_runner = nullptr;
   const CheckLog* log = nullptr;  // of a checking twin
-  const bool* stop = nullptr;     // when set, the twin returns soon and leaves pixels undrawn
+  const ShadowLog* shadow_log = nullptr;
+  const bool* stop = nullptr;  // when set, the twin returns soon and leaves pixels undrawn
 };
 
 // Of Request::stop, which another thread sets. <atomic> would double the time that compiling a twin's headers
@@ -86,6 +172,8 @@ struct Description {
   bool uses_implicit_lod = false;
   // Of all variables, and of the arrays and structures that calls and constructors give.
   std::size_t value_bytes = 0;
+  const PlaceName* places = nullptr;  // of a twin with shadows
+  int place_count = 0;
 };
 
 // The functions that a twin exports.

@@ -66,6 +66,12 @@ void Channels::bind(std::size_t channel, const Surface& surface, const Sampler& 
     samplers_[channel] = glsl::bind3d(surface.image(), sampler);
   else
     samplers_[channel] = glsl::bind2d(surface.image(), sampler);
+  std::visit(
+      [&](auto& bound) {
+        if constexpr (!std::is_same_v<std::decay_t<decltype(bound)>, std::monostate>)
+          bound.bound.shadows = surface.shadow_views();
+      },
+      samplers_[channel]);
 }
 
 bool Channels::need_lod() const {

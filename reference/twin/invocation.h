@@ -7,6 +7,7 @@
 #include "reference/glsl/glsl.h"
 #include "reference/twin/abi.h"
 #include "reference/twin/checks.h"
+#include "reference/twin/shadows.h"
 #include "reference/twin/unwritten.h"
 
 namespace shadertwin::glsl {
@@ -41,7 +42,7 @@ bool completes(const Run& run) {
   return true;
 }
 
-struct Invocation : twin::Checks, Stoppable {
+struct Invocation : twin::Checks, twin::Shadows, Stoppable {
   vec4 gl_FragCoord{};
   bool gl_FrontFacing = true;
   vec2 gl_PointCoord{};
@@ -116,7 +117,7 @@ struct Invocation : twin::Checks, Stoppable {
     std::memcpy(quad__->waiting[own_lane__].value, &value, sizeof value);
     quad__->waiting[own_lane__].place = place;
     quad__->wait(quad__, own_lane__);
-#ifdef SHADERTWIN_CHECK
+#if defined(SHADERTWIN_CHECK) || defined(SHADERTWIN_SHADOW)
     resume__();
 #endif
     const auto met = [&](int lane) { return (quad__->met_lanes >> lane & 1u) != 0; };
@@ -157,7 +158,7 @@ class UniformReader {
 
   template <class T>
   static void read_at(const twin::UniformValue& value, int& at, T& target) {
-    if constexpr (std::is_arithmetic_v<T>) {
+    if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, Float>) {
       target = static_cast<T>(number(value, at++));
     } else {
       for (int i = 0; i < target.length(); ++i) read_at(value, at, target[i]);
@@ -204,17 +205,27 @@ class PixelLoop {
       for (int x = request_.x0 & ~(step - 1); x < request_.x1; x += step) {
         x_ = x;
         y_ = y;
-        if (request_.quads)
-          request_.run_quad(
-              request_.quad_runner, &exchange_,
-              [](void* self, int lane) { static_cast<PixelLoop*>(self)->pixel(lane); }, this);
-        else
-          pixel(0);
+        draw();
+#ifdef SHADERTWIN_SHADOW
+        again_ = false;
+        for (const Shader& shader : shaders_) again_ = again_ || shader.has_parted__();
+        if (again_) draw();
+        again_ = false;
+#endif
       }
     }
   }
 
  private:
+  void draw() {
+    if (request_.quads)
+      request_.run_quad(
+          request_.quad_runner, &exchange_,
+          [](void* self, int lane) { static_cast<PixelLoop*>(self)->pixel(lane); }, this);
+    else
+      pixel(0);
+  }
+
   void pixel(int lane) {
     [[maybe_unused]] const Denormals denormals;  // a lane has a floating-point state of its own
     Shader& shader = shaders_[lane];
@@ -228,16 +239,47 @@ class PixelLoop {
 #ifdef SHADERTWIN_CHECK
     shader.start__(inside ? request_.log : nullptr, x, y);
 #endif
+#ifdef SHADERTWIN_SHADOW
+    shader.start__(inside ? request_.shadow_log : nullptr, x, y, again_);
+#endif
     const bool has_color = completes<Shader>([&] {
       shader.initialise__();
       shader.main();
     });
+#ifdef SHADERTWIN_SHADOW
+    if (again_) return compare(lane, has_color);
+    drawn_[lane] = {has_color, output_(shader)};
+#endif
     if (!has_color || !inside) return;
     Float* pixel = static_cast<Float*>(request_.pixels) + (y - request_.y0) * request_.row_pitch +
                    std::ptrdiff_t{4} * (x - request_.x0);
     const vec4 color = output_(shader);
     for (int i = 0; i < 4; ++i) pixel[i] = color[i];
   }
+
+#ifdef SHADERTWIN_SHADOW
+  // What double makes of its own decisions, beside what the lane has drawn.
+  void compare(int lane, bool has_color) {
+    double error = has_color != drawn_[lane].has_color ? 1.0 : 0.0;
+    const vec4 color = output_(shaders_[lane]);
+    const int channels = request_.shadow_log->is_picture ? 3 : 4;  // alpha is not seen
+    for (int i = 0; i < channels && has_color && drawn_[lane].has_color; ++i)
+      error = std::max(error, twin::picture_error(request_.shadow_log->is_picture,
+                                                  drawn_[lane].color[i].value, color[i].exact));
+    shaders_[lane].moved__(error);
+    const int x = x_ + lane % 2 - request_.x0;
+    const int y = y_ + lane / 2 - request_.y0;
+    const bool inside = x >= 0 && x < request_.x1 - request_.x0 && y >= 0 && y < request_.y1 - request_.y0;
+    if (inside) request_.shadow_log->moved[y * (request_.row_pitch / 4) + x] = static_cast<float>(error);
+  }
+
+  struct Drawn {
+    bool has_color = false;
+    vec4 color{};
+  };
+  Drawn drawn_[twin::QuadExchange::lanes];
+  bool again_ = false;  // pixels run once more, as double decides
+#endif
 
 #ifdef SHADERTWIN_DOUBLE
   struct Denormals {};
@@ -269,13 +311,23 @@ inline vec4 as_pixel(Float color) {
 
 }  // namespace shadertwin::glsl
 
+#ifdef SHADERTWIN_SHADOW
+static_assert(sizeof(shadertwin::glsl::Float) == sizeof(shadertwin::twin::ShadowNumber));
+#define SHADERTWIN_PLACES Shader::places__, static_cast<int>(std::size(Shader::places__))
+#else
+#define SHADERTWIN_PLACES nullptr, 0
+#endif
+
 #define SHADERTWIN_EXPORT(output)                                                                    \
   extern "C" __attribute__((visibility("default"))) void shadertwin_describe(                        \
       shadertwin::twin::Description* description) {                                                  \
     using namespace shadertwin::glsl;                                                                \
-    *description = {shadertwin::twin::abi_version, sizeof(Float) == sizeof(double),                  \
-                    Shader::uses_derivatives__, Shader::uses_implicit_lod__,                         \
-                    sizeof(PixelLoop<Shader>) + Shader::components__ * sizeof(Float)};               \
+    *description = {shadertwin::twin::abi_version,                                                   \
+                    sizeof(Float) == sizeof(double),                                                 \
+                    Shader::uses_derivatives__,                                                      \
+                    Shader::uses_implicit_lod__,                                                     \
+                    sizeof(PixelLoop<Shader>) + Shader::components__ * sizeof(Float),                \
+                    SHADERTWIN_PLACES};                                                              \
   }                                                                                                  \
   extern "C" __attribute__((visibility("default"))) void shadertwin_render(                          \
       const shadertwin::twin::Request* request) {                                                    \

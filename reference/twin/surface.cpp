@@ -1,6 +1,7 @@
 #include "reference/twin/surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <utility>
 
@@ -28,7 +29,7 @@ Surface::Surface(Texture texels, bool mipmaps) : texture_(std::move(texels)), mi
   finish_drawing();
 }
 
-Surface::Surface(int faces, bool mipmaps, bool doubles) : has_doubles_(doubles), mipmaps_(mipmaps) {
+Surface::Surface(int faces, bool mipmaps, Numbers numbers) : numbers_(numbers), mipmaps_(mipmaps) {
   texture_.format = Texture::Format::rgba32f;
   texture_.faces = faces;
 }
@@ -40,7 +41,8 @@ void Surface::upload(const Texture& texels) {
 
 void Surface::resize(glm::ivec2 size, bool keep) {
   texture_.data = resized(texture_.data, this->size(), size, faces(), texture_.texel_bytes(), keep);
-  if (has_doubles_) doubles_ = resized(doubles_, this->size(), size, faces(), 4, keep);
+  if (numbers_ == Numbers::doubles) doubles_ = resized(doubles_, this->size(), size, faces(), 4, keep);
+  if (numbers_ == Numbers::shadows) shadows_ = resized(shadows_, this->size(), size, faces(), 4, keep);
   texture_.width = size.x;
   texture_.height = size.y;
   finish_drawing();
@@ -50,18 +52,43 @@ void Surface::clear() {
   if (texture_.width == 0) return;
   std::fill(texture_.data.begin(), texture_.data.end(), std::byte{0});
   std::fill(doubles_.begin(), doubles_.end(), 0.0);
+  std::fill(shadows_.begin(), shadows_.end(), ShadowNumber{});
   finish_drawing();
 }
 
 void* Surface::pixels(std::size_t pixel) {
-  if (has_doubles_) return doubles_.data() + 4 * pixel;
+  if (numbers_ == Numbers::doubles) return doubles_.data() + 4 * pixel;
+  if (numbers_ == Numbers::shadows) return shadows_.data() + 4 * pixel;
   return texture_.data.data() + texture_.texel_bytes() * pixel;
 }
 
 void Surface::finish_drawing() {
   auto* floats = reinterpret_cast<float*>(texture_.data.data());
   std::transform(doubles_.begin(), doubles_.end(), floats, [](double v) { return static_cast<float>(v); });
+  std::transform(shadows_.begin(), shadows_.end(), floats, [](const ShadowNumber& v) { return v.value; });
   image_ = std::make_unique<glsl::TextureImage>(texture_, mipmaps_);
+  if (!shadows_.empty()) finish_companions();
+}
+
+void Surface::finish_companions() {
+  const auto make = [this](Companion& companion, auto part) {
+    companion.texture = texture_;
+    auto* floats = reinterpret_cast<float*>(companion.texture.data.data());
+    std::transform(shadows_.begin(), shadows_.end(), floats, part);
+    companion.image = std::make_unique<glsl::TextureImage>(companion.texture, mipmaps_);
+  };
+  const auto high = [](const ShadowNumber& v) { return static_cast<float>(v.exact); };
+  make(companions_[0], high);
+  make(companions_[1], [&](const ShadowNumber& v) {
+    const double rest = v.exact - static_cast<double>(high(v));
+    return std::isfinite(rest) ? static_cast<float>(rest) : 0.0F;
+  });
+  make(companions_[2], [](const ShadowNumber& v) { return static_cast<float>(v.origin); });
+}
+
+glsl::ShadowViews Surface::shadow_views() const {
+  if (shadows_.empty()) return {};
+  return {&companions_[0].image->view(), &companions_[1].image->view(), &companions_[2].image->view()};
 }
 
 Image Surface::read() const {

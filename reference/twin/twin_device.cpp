@@ -39,6 +39,11 @@ class TwinDevice final : public Device {
     modules_.resize(project.passes.size());
     for (std::size_t i = 0; i < modules_.size(); ++i)
       if (traits(project.passes[i]).every_frame) modules_[i] = load(this->project().passes[i]);
+    first_places_.assign(modules_.size() + 1, 0);
+    for (std::size_t i = 0; i < modules_.size(); ++i)
+      first_places_[i + 1] =
+          first_places_[i] +
+          (modules_[i] ? static_cast<std::uint32_t>(modules_[i]->description().place_count) : 0U);
   }
 
   void begin() override { deadline_.emplace(options_.timeout); }
@@ -50,7 +55,7 @@ class TwinDevice final : public Device {
   }
   void upload(TextureId texture, const Texture& texels) override { surface(texture).upload(texels); }
   TextureId make_target(bool cube, bool mipmaps) override {
-    surfaces_.emplace_back(cube ? 6 : 1, mipmaps, options_.double_precision);
+    surfaces_.emplace_back(cube ? 6 : 1, mipmaps, numbers());
     return last_surface();
   }
   void resize(TextureId target, glm::ivec2 size, bool keep) override { surface(target).resize(size, keep); }
@@ -66,11 +71,13 @@ class TwinDevice final : public Device {
     Channels channels;
     for (std::size_t i = 0; i < call.channels.size(); ++i)
       channels.bind(i, surface(call.channels[i].texture), call.channels[i].sampler);
+    if (options_.shadows != nullptr) begin_shadows(call, target);
     for (int face = 0; face < target.faces(); ++face) draw_face(call, channels, target, face);
     if (deadline_->passed())
       throw Error(ExitStatus::failed,
                   pass.name + ": error: the time that --timeout gives a frame has run out");
     target.finish_drawing();
+    if (options_.shadows != nullptr) end_shadows(call, target);
   }
 
   Image read(TextureId target) override { return surface(target).read(); }
@@ -96,12 +103,18 @@ class TwinDevice final : public Device {
     compile.double_precision = options_.double_precision;
     compile.packets = runs_packets();
     if (options_.observer != nullptr) compile.extra_arguments = {"-DSHADERTWIN_CHECK", "-O1"};
+    if (options_.shadows != nullptr) compile.extra_arguments = {"-DSHADERTWIN_SHADOW"};
     return compile;
   }
 
   bool runs_packets() const {
     return options_.packets && !options_.double_precision && options_.observer == nullptr &&
-           !options_.stop_at;
+           options_.shadows == nullptr && !options_.stop_at;
+  }
+
+  Numbers numbers() const {
+    if (options_.shadows != nullptr) return Numbers::shadows;
+    return options_.double_precision ? Numbers::doubles : Numbers::floats;
   }
 
   CppOptions emit_options() const {
@@ -109,6 +122,7 @@ class TwinDevice final : public Device {
     emit.double_precision = options_.double_precision;
     emit.loop_guards = options_.timeout > 0;
     emit.checks = options_.observer != nullptr;
+    emit.shadows = options_.shadows != nullptr;
     // GCC 12's own flag for it misses components and later rounds of loops.
     emit.initialise_locals = options_.uninitialised == Uninitialised::zero;
     emit.packets = runs_packets();
@@ -178,7 +192,8 @@ class TwinDevice final : public Device {
   static std::string cache_key(const Project& project, const Pass& pass, const CppOptions& emit) {
     std::string key = emit_identity() + std::string(emit.double_precision ? " double" : " float") +
                       (emit.loop_guards ? " guarded" : "") + (emit.checks ? " checked" : "") +
-                      (emit.initialise_locals ? " zeroed" : "") + (emit.packets ? " packets" : "");
+                      (emit.shadows ? " shadows" : "") + (emit.initialise_locals ? " zeroed" : "") +
+                      (emit.packets ? " packets" : "");
     for (const std::string& file : project.files) key += '\n' + file;  // #line names them
     for (const SourceLine& line : pass.source.lines)
       key += '\n' + std::to_string(line.file) + ':' + std::to_string(line.line);
@@ -211,6 +226,15 @@ class TwinDevice final : public Device {
     whole.log = options_.observer != nullptr ? &log_ : nullptr;
     const auto draw_rectangle = [&](int x0, int y0, int x1, int y1) {
       Request request = whole;
+      ShadowLog shadow_log = shadow_log_;
+      if (options_.shadows != nullptr) {
+        std::vector<PlaceRecord>& records = records_.local();
+        if (records.empty()) records.resize(static_cast<std::size_t>(module.description().place_count));
+        shadow_log.records = records.data();
+        shadow_log.moved =
+            moved_.data() + first + row * static_cast<std::size_t>(y0) + static_cast<std::size_t>(x0);
+        request.shadow_log = &shadow_log;
+      }
       request.x0 = x0;
       request.y0 = y0;
       request.x1 = x1;
@@ -242,6 +266,37 @@ class TwinDevice final : public Device {
                      std::max(part.rows().begin() * tile, region.y),
                      std::min(part.cols().end() * tile, x_end), std::min(part.rows().end() * tile, y_end));
     });
+  }
+
+  void begin_shadows(const DrawCall& call, const Surface& target) {
+    moved_.assign(target.shadows().size() / 4, 0.0F);
+    const ShadowObserver::Wanted wanted = options_.shadows->begin(static_cast<int>(call.pass), call.index);
+    shadow_log_ = {};
+    shadow_log_.first_place = first_places_[call.pass];
+    shadow_log_.frame = call.index;
+    shadow_log_.threshold = wanted.threshold;
+    shadow_log_.is_picture = wanted.is_picture;
+    shadow_log_.user = options_.shadows;
+    if (!wanted.steps) return;
+    shadow_log_.wants_steps = [](void* user, int x, int y) {
+      return static_cast<ShadowObserver*>(user)->wants_steps(x, y);
+    };
+    shadow_log_.step = [](void* user, int place, const ShadowNumber* operands, int count,
+                          const ShadowNumber* result, double own) {
+      static_cast<ShadowObserver*>(user)->step(place, operands, count, *result, own);
+    };
+  }
+
+  void end_shadows(const DrawCall& call, const Surface& target) {
+    const Description& description = modules_[call.pass]->description();
+    const int pass = static_cast<int>(call.pass);
+    for (const std::vector<PlaceRecord>& records : records_)
+      options_.shadows->noted(pass, first_places_[call.pass],
+                              {description.places, static_cast<std::size_t>(description.place_count)},
+                              records);
+    records_.clear();
+    options_.shadows->drawn(pass, call.index, {target.size().x, target.size().y * target.faces()},
+                            target.shadows(), moved_);
   }
 
   static CheckLog make_log(Observer* observer) {
@@ -278,6 +333,10 @@ class TwinDevice final : public Device {
   std::deque<Surface> surfaces_;
   std::optional<Deadline> deadline_;
   oneapi::tbb::enumerable_thread_specific<QuadRunner> quad_runners_;
+  std::vector<std::uint32_t> first_places_;  // of each pass among the places of all, and their number
+  ShadowLog shadow_log_;                     // of the pass that is drawn
+  std::vector<float> moved_;                 // of its pixels
+  oneapi::tbb::enumerable_thread_specific<std::vector<PlaceRecord>> records_;
 };
 
 }  // namespace
