@@ -238,8 +238,8 @@ std::vector<Measurement> SweepPlayer::run(const sweep::Point& point, int number,
   if (seeded_) seeds.push_back(seed + 1U);
   const std::vector<Take> takes =
       play(options, seeds, options.frames, options_.accumulates && reference != nullptr, reference);
-  const Image& drawn = takes.front().shown.back();
   if (reference != nullptr) {
+    const Image& drawn = takes.front().shown.back();
     const Image& right = reference->shown.front();
     if (drawn.width != right.width || drawn.height != right.height)
       throw Error(ExitStatus::usage, "the reference has " + std::to_string(right.width) + "x" +
