@@ -96,7 +96,7 @@ std::string panel(const Report& report, const std::vector<const Result*>& points
          (first ? " title " + quoted(report.axes[axis].name + " = " + value) : " notitle"));
   }
   for (const Result* point : points) {
-    if (!point->pareto || !drawable(point->summary)) continue;
+    if (!point->pareto || !drawable(point->summary) || (!all && !shows(report, point->point, axis))) continue;
     const std::string name = variant_label(report.axes, point->point, report.base);
     plot(blocks.add({{point->summary.seconds(), point->summary.relative_mse.mean}}, name) +
          " using 1:2:3 with labels left offset 0.6,0.5 font ',8' tc rgb '#555555' notitle");
