@@ -1,8 +1,11 @@
-# Installs the twin's part of BUILD into WORK, then configures, builds and runs the project beside this file.
+# Installs the twin's part of BUILD into WORK, then configures, builds and runs the project beside this file, and
+# compiles what an installed program compiles twins against.
 file(REMOVE_RECURSE ${WORK})
 foreach(
   step IN
   ITEMS "${CMAKE_COMMAND};--install;${BUILD};--component;twin;--prefix;${WORK}/prefix"
+        "${COMPILER};-std=c++20;-fsyntax-only;-w;-x;c++;-I${WORK}/prefix/share/shadertwin/include;${WORK}/prefix/share/shadertwin/include/reference/twin/invocation.h"
+        "${COMPILER};-std=c++20;-fsyntax-only;-w;-x;c++;-I${WORK}/prefix/share/shadertwin/include;${WORK}/prefix/share/shadertwin/include/reference/twin/packet_invocation.h"
         "${CMAKE_COMMAND};-S;${CMAKE_CURRENT_LIST_DIR};-B;${WORK}/build;-G;${GENERATOR};-D;CMAKE_PREFIX_PATH=${WORK}/prefix;-D;CMAKE_CXX_COMPILER=${COMPILER}"
         "${CMAKE_COMMAND};--build;${WORK}/build"
         "${CMAKE_CTEST_COMMAND};--test-dir;${WORK}/build;--output-on-failure")
