@@ -34,15 +34,6 @@ Project titled(Project project, const std::filesystem::path& shader) {
   return project;
 }
 
-void write_text(const std::string& file, const std::string& text) {
-  OutputFile output(file);
-  std::ofstream stream(output.path(), std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw Error(ExitStatus::file, file + ": can't be written");
-  output.commit();
-}
-
 // A C++ file a pass: what the CPU twin compiles.
 void write_cpp(const Project& project, const std::filesystem::path& folder) {
   // reference/ holds the headers that it includes.
@@ -62,11 +53,11 @@ void export_project(const ExportOptions& options) {
   const Project project = load(options);
   switch (options.to) {
     case Form::html:
-      return write_text(options.output, html_player(project, title_of(options.shader)));
+      return write_file(options.output, html_player(project, title_of(options.shader)));
     case Form::tabs:
       return write_tabs(for_site(project), options.output);
     case Form::json:
-      return write_text(options.output, write_json(titled(for_site(project), options.shader)));
+      return write_file(options.output, write_json(titled(for_site(project), options.shader)));
     case Form::cpp:
       return write_cpp(project, options.output);
   }

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -48,6 +49,15 @@ void OutputFile::commit() {
   if (failure) throw Error(ExitStatus::file, target_.string() + ": " + failure.message());
   committed_ = true;
   unfinished_.reset();
+}
+
+void write_file(const fs::path& file, std::string_view contents) {
+  OutputFile output(file);
+  std::ofstream stream(output.path(), std::ios::binary);
+  stream << contents;
+  stream.close();
+  if (!stream) throw Error(ExitStatus::file, file.string() + ": can't be written");
+  output.commit();
 }
 
 }  // namespace shadertwin

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string_view>
 
 #include "host/base/unfinished.h"
 
@@ -29,5 +30,8 @@ class OutputFile {
   std::optional<Unfinished> unfinished_;
   bool committed_ = false;
 };
+
+// Writes a file, whole or not at all. Throws Error(file).
+void write_file(const std::filesystem::path& file, std::string_view contents);
 
 }  // namespace shadertwin
