@@ -85,12 +85,6 @@ double milliseconds(Clock::duration time) {
   return std::chrono::duration<double, std::milli>(time).count();
 }
 
-glm::ivec2 picture_size(const Project& project, int pass, const Schedule& schedule) {
-  const PassTraits& kind = traits(project.passes[static_cast<std::size_t>(pass)]);
-  if (kind.side != 0) return {kind.side, kind.faces * kind.side};
-  return {schedule.width, schedule.height};
-}
-
 void render(const RenderOptions& options) {
   if (output_kind(options.output.name) == OutputKind::sound)
     return render_sound(options, options.duration.value_or(sound_seconds), options.output.name);
@@ -103,7 +97,10 @@ void render(const RenderOptions& options) {
                     " is always drawn whole");
   OutputOptions output_options = options.output;
   output_options.sound = has_sound(project);
-  const auto output = open_output(output_options, picture_size(project, shown, schedule), schedule.fps);
+  const auto output = open_output(output_options,
+                                  picture_size(traits(project.passes[static_cast<std::size_t>(shown)]),
+                                               {schedule.width, schedule.height}),
+                                  schedule.fps);
   const auto player = open_player(options.on, project, options);
   std::optional<VideoSound> sound;
   if (output->wants_sound()) sound.emplace(project, schedule, *player);

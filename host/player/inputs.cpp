@@ -56,6 +56,14 @@ Input bound_input(const Pass& pass, std::size_t channel) {
   return empty;
 }
 
+glm::ivec2 target_size(const PassTraits& kind, glm::ivec2 frame_size) {
+  return kind.fills_frame() ? frame_size : glm::ivec2(kind.side);
+}
+
+glm::ivec2 picture_size(const PassTraits& kind, glm::ivec2 frame_size) {
+  return target_size(kind, frame_size) * glm::ivec2(1, kind.faces);
+}
+
 glm::vec3 channel_size(const Project& project, const Input& input, const Texture* texture,
                        glm::ivec2 frame_size) {
   const HostRules rules = host_rules(project);
@@ -71,11 +79,9 @@ glm::vec3 channel_size(const Project& project, const Input& input, const Texture
       return rules.cubemap_has_size && input.kind != InputKind::none ? glm::vec3(0.0F, 0.0F, 1.0F)
                                                                      : glm::vec3(0.0F);
     case InputSource::pass:
-    case InputSource::undrawn: {
+    case InputSource::undrawn:
       if (input.kind == InputKind::none) return glm::vec3(0.0F);
-      const int side = pass_read(project, input)->side;
-      return side != 0 ? glm::vec3(side, side, 1) : glm::vec3(frame_size, 1);
-    }
+      return {target_size(*pass_read(project, input), frame_size), 1};
     case InputSource::keyboard:
       return glm::vec3(256, rules.keyboard_rows, 1);
   }

@@ -26,6 +26,11 @@ Project with_shared_samplers(Project project);
 glm::vec3 channel_size(const Project& project, const Input& input, const Texture* texture,
                        glm::ivec2 frame_size);
 
+// Width and height of what a pass of that kind fills, of each face, in a frame of that size.
+glm::ivec2 target_size(const PassTraits& kind, glm::ivec2 frame_size);
+// Those of its picture as Player::read() gives it: faces stand one above the other.
+glm::ivec2 picture_size(const PassTraits& kind, glm::ivec2 frame_size);
+
 // One flag for every pass: whether its previous picture is still needed while, or after, it draws a new one.
 // True for passes that read themselves or, but for the extension with its quirks, are read by an earlier one.
 // On shadertoy.com every buffer is kept twice, which shows when a shader discards: the old contents are then

@@ -83,7 +83,7 @@ void Player::resize(glm::ivec2 size) {
   for (std::size_t i = 0; i < passes_.size(); ++i) {
     if (in_blocks(i)) continue;
     const PassTraits& kind = traits(project.passes[i]);
-    const glm::ivec2 wanted = kind.side != 0 ? glm::ivec2(kind.side) : size;
+    const glm::ivec2 wanted = target_size(kind, size);
     if (passes_[i].size == wanted) continue;
     const bool keep = kind.keeps_pixels && rules_.keeps_pixels_on_resize;
     for (const TextureId target : passes_[i].targets) device_->resize(target, wanted, keep);

@@ -70,7 +70,7 @@ class SharedStage final : public Stage {
     const PassTraits& kind = traits(project_.passes[static_cast<std::size_t>(pass)]);
     if (!kind.every_frame) return {};
     return {static_cast<GLenum>(kind.faces == 6 ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D),
-            device_->name(player_->texture(pass)), kind.side != 0 ? glm::ivec2(kind.side) : size_};
+            device_->name(player_->texture(pass)), target_size(kind, size_)};
   }
   void shown() override { seen_.set(window_.context().functions()); }
   Image read(int pass) override { return player_->read(pass); }
