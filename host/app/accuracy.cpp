@@ -8,6 +8,7 @@
 #include "host/app/progress.h"
 #include "host/app/report.h"
 #include "host/base/error.h"
+#include "host/player/inputs.h"
 #include "host/project/kinds.h"
 #include "reference/check/accuracy.h"
 
@@ -27,34 +28,13 @@ struct JudgeOptions : PlayOptions {
   std::optional<glm::ivec2> pixel;
 };
 
-double read_share(const std::string& word) {
-  double value = -1.0;
-  std::size_t end = 0;
-  try {
-    value = std::stod(word, &end);
-  } catch (const std::exception&) {
-    end = 0;
-  }
-  if (end != word.size() || !(value >= 0.0 && value <= 1.0))
-    throw Error(ExitStatus::usage, "expected a number from 0 to 1");
-  return value;
-}
-
 int picture_of(const Project& project, const JudgeOptions& options) {
-  int pass = chosen_pass(project, options);
-  if (options.pass.empty())
-    while (pass > 0 && !traits(project.passes[static_cast<std::size_t>(pass)]).every_frame) --pass;
+  const int pass = chosen_pass(project, options);
   const Pass& chosen = project.passes[static_cast<std::size_t>(pass)];
   if (!traits(chosen).every_frame)
     throw Error(ExitStatus::usage,
                 options.shader + ": " + chosen.name + " is a sound: accuracy judges pictures");
   return pass;
-}
-
-glm::ivec2 size_of(const Pass& pass, const Schedule& schedule) {
-  const PassTraits& kind = traits(pass);
-  return kind.side != 0 ? glm::ivec2(kind.side, kind.side * kind.faces)
-                        : glm::ivec2(schedule.width, schedule.height);
 }
 
 // JSON has no infinity.
@@ -176,8 +156,8 @@ void run_accuracy(const JudgeOptions& options) {
   judged.threshold = options.threshold;
   judged.pixel = options.pixel;
   if (options.pixel)
-    check_pixel(*options.pixel,
-                size_of(project.passes[static_cast<std::size_t>(judged.pass)], options.schedule));
+    check_pixel(*options.pixel, picture_size(traits(project.passes[static_cast<std::size_t>(judged.pass)]),
+                                             {options.schedule.width, options.schedule.height}));
   Accuracy accuracy;
   {
     Progress progress("measuring", options.frames, options.quiet);
@@ -188,9 +168,7 @@ void run_accuracy(const JudgeOptions& options) {
   if (options.pixel) {
     print_story(accuracy, project, options, judged.pass);
   } else {
-    for (const AccuracyFinding& finding : findings)
-      std::printf("%s:%d: %s: %s\n", finding.file.c_str(), finding.line, finding.kind.c_str(),
-                  finding.text.c_str());
+    for (const AccuracyFinding& finding : findings) std::printf("%s\n", check::to_line(finding).c_str());
   }
   if (!options.heatmap.empty()) write_image(accuracy.heatmap, options.heatmap);
   if (!options.json.empty()) write_report(options.json, to_json(accuracy, findings, options));

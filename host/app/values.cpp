@@ -98,6 +98,12 @@ double read_rate(const std::string& text) {
   return rate;
 }
 
+double read_share(const std::string& text) {
+  double share = -1.0;
+  if (!read_number(text, share) || !(share >= 0.0 && share <= 1.0)) fail("expected a number from 0 to 1");
+  return share;
+}
+
 double read_time(const std::string& text) {
   double seconds = 0.0;
   if (!read_number(text, seconds) || !std::isfinite(seconds)) fail("expected a finite number of seconds");

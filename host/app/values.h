@@ -39,6 +39,7 @@ int read_frames(const std::string& text);        // from 1
 double read_rate(const std::string& text);       // above 0
 double read_time(const std::string& text);       // finite
 double read_timeout(const std::string& text);    // from 0
+double read_share(const std::string& text);      // from 0 to 1
 unsigned read_seed(const std::string& text);
 Define read_define(const std::string& text);              // NAME is NAME=1
 MouseStep read_mouse(const std::string& text);            // X,Y[,down][@FRAME]

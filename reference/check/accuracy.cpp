@@ -18,12 +18,9 @@ using twin::PlaceName;
 using twin::PlaceRecord;
 using twin::ShadowNumber;
 
-bool is_before(const PixelPlace& a, const PixelPlace& b) {
-  return std::tie(a.frame, a.y, a.x) < std::tie(b.frame, b.y, b.x);
-}
-// Of two equal errors the first pixel counts: threads draw in any order.
+// Of two equal errors the first pixel counts.
 bool is_worse(double a, const PixelPlace& at_a, double b, const PixelPlace& at_b) {
-  return a > b || (a == b && is_before(at_a, at_b));
+  return a > b || (a == b && twin::is_before(at_a, at_b));
 }
 
 double distance(const ShadowNumber& x) {
@@ -43,7 +40,7 @@ void add(PlaceRecord& sum, const PlaceRecord& more) {
     sum.losses += more.losses;
   }
   if (more.parted != 0) {
-    if (sum.parted == 0 || is_before(more.parted_at, sum.parted_at)) {
+    if (sum.parted == 0 || twin::is_before(more.parted_at, sum.parted_at)) {
       sum.parted_at = more.parted_at;
       std::copy(std::begin(more.sides), std::end(more.sides), std::begin(sum.sides));
       sum.is_number = more.is_number;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/image/image.h"
+#include "reference/check/finding.h"
 #include "reference/check/run.h"
 #include "reference/twin/abi.h"
 
@@ -75,12 +76,8 @@ struct Accuracy {
 Accuracy measure_accuracy(const Project& project, const AccuracyOptions& options,
                           const std::function<void(int)>& progress = {});
 
-// A finding, as `accuracy` prints it behind FILE:LINE.
-struct AccuracyFinding {
-  std::string file;
-  int line = 0;
-  std::string kind;  // name_of(Loss), or `branch`
-  std::string text;
+// What `accuracy` tells. The kind is name_of(Loss), or `branch`.
+struct AccuracyFinding : Finding {
   double weight = 0.0;  // the picture's error that it causes, summed over pixels
   double bits = 0.0;    // lost at the operation
   const Operation* operation = nullptr;

@@ -104,14 +104,16 @@ std::vector<AccuracyFinding> accuracy_findings(const Accuracy& accuracy, std::op
     const bool is_seen = o.not_numbers != 0 || !is_speck(o.pixels);
     const bool is_wanted = least_bits && (o.pixels != 0 || bits >= *least_bits);
     if (o.record.losses != 0 && (is_seen || is_wanted))
-      findings.push_back({o.file, o.line, name_of(static_cast<Loss>(o.record.loss)),
-                          loss_text(o) + worst_text(o.record) + reach_text(o, accuracy.drawn), o.error_sum,
-                          bits, &o});
+      findings.push_back({{o.file, o.line, name_of(static_cast<Loss>(o.record.loss)),
+                           loss_text(o) + worst_text(o.record) + reach_text(o, accuracy.drawn)},
+                          o.error_sum,
+                          bits,
+                          &o});
     // Of all pixels, as of those that were tried.
     const double tried = static_cast<double>(std::max<std::uint64_t>(o.record.tried, 1));
     const double moved = static_cast<double>(o.record.moved * o.record.parted) / tried;
     if (o.record.parted != 0 && (!is_speck(static_cast<std::size_t>(moved)) || least_bits))
-      findings.push_back({o.file, o.line, "branch", branch_text(o), o.record.moved_by * moved, 0.0, &o});
+      findings.push_back({{o.file, o.line, "branch", branch_text(o)}, o.record.moved_by * moved, 0.0, &o});
   }
   // What a decision costs is the doing of the loss that lets it differ, which is told first.
   for (const AccuracyFinding& branch : findings) {

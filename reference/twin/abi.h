@@ -82,6 +82,12 @@ struct PixelPlace {
   int y = 0;
 };
 
+// Threads draw in any order; of equals the first pixel counts.
+inline bool is_before(const PixelPlace& a, const PixelPlace& b) {
+  if (a.frame != b.frame) return a.frame < b.frame;
+  return a.y != b.y ? a.y < b.y : a.x < b.x;
+}
+
 // What happened at a place.
 struct PlaceRecord {
   static constexpr int most_operands = 3;

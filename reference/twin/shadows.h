@@ -5,7 +5,6 @@
 
 #ifdef SHADERTWIN_SHADOW
 #include <algorithm>
-#include <tuple>
 #include <vector>
 #endif
 
@@ -117,7 +116,7 @@ class Shadows {
     if (notes__) {
       PlaceRecord& record = log__->records[place__];
       ++record.losses;
-      if (own > record.own || (own == record.own && is_before__(pixel__, record.lost_at))) {
+      if (own > record.own || (own == record.own && is_before(pixel__, record.lost_at))) {
         record.own = own;
         record.loss = static_cast<int>(loss);
         record.lost_at = pixel__;
@@ -145,7 +144,7 @@ class Shadows {
       parted__.push_back(place__);
       if (notes__) {
         PlaceRecord& record = log__->records[place__];
-        if (++record.parted == 1 || is_before__(pixel__, record.parted_at)) {
+        if (++record.parted == 1 || is_before(pixel__, record.parted_at)) {
           record.parted_at = pixel__;
           record.sides[0] = plain__(a);
           record.sides[1] = plain__(b != nullptr ? *b : a);
@@ -169,7 +168,7 @@ class Shadows {
       PlaceRecord& record = log__->records[place];
       ++record.tried;
       if (by >= log__->threshold) ++record.moved;
-      if (by > record.moved_by || (by == record.moved_by && is_before__(pixel__, record.moved_at))) {
+      if (by > record.moved_by || (by == record.moved_by && is_before(pixel__, record.moved_at))) {
         record.moved_by = by;
         record.moved_at = pixel__;
       }
@@ -184,11 +183,6 @@ class Shadows {
   static ShadowNumber plain__(const Shadow& x) {
     return {x.value, x.origin, x.exact};
   }
-  // Threads draw in any order; of equals the first counts.
-  static bool is_before__(const PixelPlace& a, const PixelPlace& b) {
-    return std::tie(a.frame, a.y, a.x) < std::tie(b.frame, b.y, b.x);
-  }
-
   template <class T>
   void measure__(int place, const T& value) {
     if constexpr (glsl::detail::Shape<T>::matrix) {
@@ -215,7 +209,7 @@ class Shadows {
         continue;
       }
       record.error_sum += share;
-      if (share > record.error || (share == record.error && is_before__(pixel__, record.error_at))) {
+      if (share > record.error || (share == record.error && is_before(pixel__, record.error_at))) {
         record.error = share;
         record.error_at = pixel__;
       }
