@@ -213,6 +213,10 @@ Expression CppExpressions::arithmetic(TOperator op, const TIntermTyped& left, co
           sign.binding};
 }
 
+int CppExpressions::place_of(const TIntermTyped& call) const {
+  return context_.options().shadows ? context_.places().of_call(call) : 0;
+}
+
 Expression CppExpressions::operation(TOperator op, const TIntermTyped& left, const TIntermTyped& right,
                                      const std::string& operands) {
   const char* name = operation_name(op);
@@ -224,7 +228,7 @@ Expression CppExpressions::operation(TOperator op, const TIntermTyped& left, con
 
 Expression CppExpressions::function_call(const std::string& name, const TIntermTyped& node,
                                          const std::string& arguments) {
-  const int place = context_.options().shadows ? context_.places().of_call(node) : 0;
+  const int place = place_of(node);
   return place == 0 ? call_of(name, arguments)
                     : call_of(name + "_at__", std::to_string(place) + ", " + arguments);
 }
@@ -251,7 +255,7 @@ Expression CppExpressions::conversion(const TIntermTyped& node, const TIntermTyp
 
 Expression CppExpressions::made(const std::string& type, const TIntermTyped& node,
                                 const std::string& values) {
-  const int place = context_.options().shadows ? context_.places().of_call(node) : 0;
+  const int place = place_of(node);
   return place == 0 ? call_of("make<" + type + ">", values)
                     : call_of("make_at__<" + type + ">", std::to_string(place) + ", " + values);
 }
@@ -288,7 +292,7 @@ Expression CppExpressions::unary(const TIntermUnary& node) {
 // A member of the invocation, whose quads meet by the line that it is called on.
 Expression CppExpressions::derivative(const std::string& name, const TIntermTyped& node,
                                       const std::string& value) {
-  const int place = context_.options().shadows ? context_.places().of_call(node) : 0;
+  const int place = place_of(node);
   return call_of(name, place == 0 ? value : "at__(" + std::to_string(place) + ", " + value + ")");
 }
 

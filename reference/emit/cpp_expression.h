@@ -92,6 +92,8 @@ class CppExpressions {
   // Whether `left / right` is a division of floats that a checking twin looks at.
   bool needs_division_check(glslang::TOperator op, const glslang::TIntermTyped& left,
                             const glslang::TIntermTyped& right) const;
+  // The place of a call in a twin with shadows; 0 in others, and if it has none.
+  int place_of(const glslang::TIntermTyped& call) const;
   // For a twin with shadows: `left op right` at its place; empty if it says nothing there.
   Expression operation(glslang::TOperator op, const glslang::TIntermTyped& left,
                        const glslang::TIntermTyped& right, const std::string& operands);

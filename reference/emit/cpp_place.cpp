@@ -167,8 +167,7 @@ Expression CppExpressions::increment(const TIntermUnary& node, bool wants_value)
   const TIntermTyped& operand = *node.getOperand();
   const Step step = step_of(node.getOp());
   const Place target = place(operand, false);
-  const int place_number =
-      context_.options().shadows && operand.getBasicType() == EbtFloat ? context_.places().of_call(node) : 0;
+  const int place_number = operand.getBasicType() == EbtFloat ? place_of(node) : 0;
   if (place_number != 0) out_.statement("at__(" + std::to_string(place_number) + ")");
   if (operand.isScalar()) {
     const std::string sign(2, step.sign);

@@ -60,7 +60,7 @@ Expression CppExpressions::special_case(const TIntermAggregate& node) {
       Expression x = expression(base);
       if (exponent == 1.0) return x;
       if (base.getAsSymbolNode() == nullptr) x = temporary(base, x.text);
-      const int place = context_.options().shadows ? context_.places().of_call(node) : 0;
+      const int place = place_of(node);
       const auto product = [&](const std::string& factor) {
         return place == 0 ? factor + " * " + factor
                           : "multiply__(" + std::to_string(place) + ", " + factor + ", " + factor + ")";

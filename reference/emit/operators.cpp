@@ -1,5 +1,8 @@
 #include "reference/emit/operators.h"
 
+#include <string_view>
+#include <utility>
+
 namespace shadertwin::emit {
 
 using namespace glslang;
@@ -184,35 +187,15 @@ bool is_safe_shift(const TIntermTyped& node) {
 }  // namespace
 
 const char* operation_name(TOperator op) {
-  switch (op) {
-    case EOpAdd:
-      return "add__";
-    case EOpSub:
-      return "subtract__";
-    case EOpMul:
-    case EOpVectorTimesScalar:
-    case EOpVectorTimesMatrix:
-    case EOpMatrixTimesVector:
-    case EOpMatrixTimesScalar:
-    case EOpMatrixTimesMatrix:
-      return "multiply__";
-    case EOpDiv:
-      return "divide__";
-    case EOpLessThan:
-      return "less__";
-    case EOpGreaterThan:
-      return "greater__";
-    case EOpLessThanEqual:
-      return "less_equal__";
-    case EOpGreaterThanEqual:
-      return "greater_equal__";
-    case EOpEqual:
-      return "equal__";
-    case EOpNotEqual:
-      return "not_equal__";
-    default:
-      return nullptr;
-  }
+  static constexpr std::pair<std::string_view, const char*> names[] = {
+      {"+", "add__"},    {"-", "subtract__"},  {"*", "multiply__"},    {"/", "divide__"},
+      {"<", "less__"},   {">", "greater__"},   {"<=", "less_equal__"}, {">=", "greater_equal__"},
+      {"==", "equal__"}, {"!=", "not_equal__"}};
+  const char* const sign = binary_operator(op).sign;
+  if (sign == nullptr) return nullptr;
+  for (const auto& [known, name] : names)
+    if (known == sign) return name;
+  return nullptr;
 }
 
 const char* integer_function(TOperator op, const TIntermTyped& left, const TIntermTyped& right) {
