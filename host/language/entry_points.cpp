@@ -23,6 +23,16 @@ bool has_two_parameters(const std::vector<Token>& tokens, std::size_t i) {
 
 }  // namespace
 
+std::size_t body_of_function(const std::vector<Token>& tokens, std::size_t name) {
+  const auto is = [&](std::size_t i, std::string_view text) {
+    return i < tokens.size() && tokens[i].is(text);
+  };
+  if (!is(name + 1, "(")) return tokens.size();
+  std::size_t close = name + 2;
+  while (close < tokens.size() && !tokens[close].is(")")) ++close;
+  return is(close + 1, "{") ? close + 1 : tokens.size();
+}
+
 EntryPoints find_entry_points(const std::vector<Token>& tokens) {
   EntryPoints found;
   bool of_sample = false;

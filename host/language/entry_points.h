@@ -21,6 +21,9 @@ struct EntryPoints {
   bool has(std::string_view name) const { return functions.contains(name); }
 };
 
+// The brace that opens the body of the function whose name is token `name`; tokens.size() if there is none.
+std::size_t body_of_function(const std::vector<Token>& tokens, std::size_t name);
+
 // `tokens`: of preprocessed text. A prototype counts as well: what it lacks is for the compiler to tell.
 EntryPoints find_entry_points(const std::vector<Token>& tokens);
 

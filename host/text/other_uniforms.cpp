@@ -244,12 +244,11 @@ class Adopter {
   // Behind the brace of the function that is the shader's entry.
   void set_values(const std::vector<Token>& tokens) {
     if (values_.empty()) return;
-    for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
-      if (!tokens[i].is(only_main_ ? "main" : "mainImage") || !tokens[i + 1].is("(")) continue;
-      std::size_t close = i + 2;
-      while (close < tokens.size() && !tokens[close].is(")")) ++close;
-      if (close + 1 >= tokens.size() || !tokens[close + 1].is("{")) continue;
-      edits_.push_back({tokens[close + 1].end(), 0, values_});
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+      if (!tokens[i].is(only_main_ ? "main" : "mainImage")) continue;
+      const std::size_t body = body_of_function(tokens, i);
+      if (body == tokens.size()) continue;
+      edits_.push_back({tokens[body].end(), 0, values_});
       return;
     }
   }

@@ -5,7 +5,7 @@
 //   resolve_macros    directives and macros            host/text/resolve_macros.h
 //   canonicalise      WebGL's text as all take it      host/text/canonicalise.h
 //   adopt_other_...   uniforms of other hosts          host/text/other_uniforms.h
-//   empty_uniform_... blocks, which no host fills     host/text/uniform_blocks.h
+//   empty_uniform_... blocks, which no host fills      host/text/uniform_blocks.h
 //   write_host_text   uniforms and main()              host/text/host_text.h
 //   define_undefined  zero where GLSL gives anything   host/text/define_undefined.h
 //   work_around       for a driver with faults         host/text/work_around.h

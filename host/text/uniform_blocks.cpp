@@ -3,7 +3,10 @@
 #include <algorithm>
 
 #include "host/language/edits.h"
+#include "host/language/entry_points.h"
 #include "host/language/tokens.h"
+#include "host/project/kinds.h"
+#include "host/text/main_text.h"
 
 namespace shadertwin {
 
@@ -106,14 +109,12 @@ class Emptier {
   }
 
   void draw_nothing() {
-    for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
-      const bool picture =
-          at(i).is("main") || at(i).is("mainImage") || at(i).is("mainCubemap") || at(i).is("mainVR");
-      if ((!picture && !at(i).is("mainSound")) || !at(i + 1).is("(")) continue;
-      std::size_t close = i + 2;
-      while (close < tokens_.size() && !at(close).is(")")) ++close;
-      if (!at(close + 1).is("{")) continue;
-      edits_.push_back({at(close + 1).end(), 0, picture ? " discard;" : " return vec2(0.0);"});
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      if (!is_entry_point(at(i).text)) continue;
+      const std::size_t body = body_of_function(tokens_, i);
+      if (body == tokens_.size()) continue;
+      const bool is_sound = at(i).is(traits(PassKind::sound).entry);
+      edits_.push_back({at(body).end(), 0, is_sound ? " return vec2(0.0);" : " discard;"});
     }
   }
 
