@@ -76,6 +76,17 @@ bool mentions(const Project& project, const std::string& name) {
   return found;
 }
 
+std::vector<std::string> unmentioned_defines(const Project& project) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : project.defines) names.push_back(name);
+  if (names.empty()) return names;
+  for_each_text(project, [&](std::string_view text) {
+    const std::vector<Token> tokens = tokenize(text);
+    std::erase_if(names, [&](const std::string& name) { return mentions(tokens, name); });
+  });
+  return names;
+}
+
 bool decides_conditions(const Project& project, const std::string& name) {
   bool found = false;
   for_each_text(project, [&](std::string_view text) {

@@ -19,6 +19,8 @@ std::vector<Knob> find_knobs(const Project& project);
 
 // Whether some pass's text, an include or Common has the identifier.
 bool mentions(const Project& project, const std::string& name);
+// Those of Project::defines that none has.
+std::vector<std::string> unmentioned_defines(const Project& project);
 
 // Whether some #if or #elif looks at the macro, which must then be a number.
 bool decides_conditions(const Project& project, const std::string& name);

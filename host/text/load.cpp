@@ -13,8 +13,7 @@ namespace {
 
 // A slip in a -D would change nothing, and nobody would know.
 void warn_of_defines(Project& project) {
-  for (const auto& [name, value] : project.defines) {
-    if (mentions(project, name)) continue;
+  for (const std::string& name : unmentioned_defines(project)) {
     const std::string nearest = nearest_knob(project, name);
     project.warnings.push_back("-D " + name + ": warning: no pass mentions " + name +
                                (nearest.empty() ? "" : "; is " + nearest + " meant?"));
