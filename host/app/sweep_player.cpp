@@ -9,7 +9,6 @@
 #include "host/base/hash.h"
 #include "host/base/output_file.h"
 #include "host/compare/errors.h"
-#include "host/compare/flip.h"
 #include "host/gl/context.h"
 #include "host/text/knobs.h"
 #include "host/text/load.h"
@@ -34,12 +33,6 @@ double processor_milliseconds() {
   timespec time{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return sweep::unknown;
-  std::sort(values.begin(), values.end());
-  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
 }
 
 // A file as its path, length and age: enough to see that it was changed.
@@ -120,68 +113,70 @@ std::string SweepPlayer::picture_key(const PlayOptions& options, int frames) {
   return hash_name(text);
 }
 
+SweepPlayer::Opened SweepPlayer::open(PlayOptions options, const std::string& seed) {
+  options.quiet = true;
+  if (seeded_) options.load.settings.defines.emplace_back("SEED", seed);
+  if (seed_is_uniform_) options.load.uniforms.push_back({.name = seed_uniform, .type = UniformType::int1});
+  Opened opened{load_project(options.shader, options.load), nullptr};
+  opened.player = open_player(options.on, opened.project, options, nullptr, Timers::gpu);
+  return opened;
+}
+
 std::vector<SweepPlayer::Take> SweepPlayer::play(const PlayOptions& options,
                                                  const std::vector<unsigned>& seeds, int frames,
                                                  bool on_its_way, const Reference* reference) {
-  PlayOptions own = options;
-  own.quiet = true;
-  const auto open = [&](Project& project) {
-    project = load_project(own.shader, own.load);
-    return open_player(own.on, project, own, nullptr, Timers::gpu);
-  };
-  Project project;
-  std::unique_ptr<Player> player;
-  if (seed_is_uniform_) {
-    own.load.settings.defines.emplace_back("SEED", seed_uniform);
-    own.load.uniforms.push_back({.name = seed_uniform, .type = UniformType::int1});
-    player = open(project);
-  }
-  const double target =
-      options_.targets.empty() ? 0.0 : *std::min_element(options_.targets.begin(), options_.targets.end());
   std::vector<Take> takes;
+  std::optional<Opened> opened;
   for (const unsigned seed : seeds) {
-    if (!seed_is_uniform_) {
-      own = options;
-      own.quiet = true;
-      if (seeded_) own.load.settings.defines.emplace_back("SEED", std::to_string(seed));
-      player = open(project);
-    }
-    std::vector<std::array<float, 4>> uniforms;
-    for (const CustomUniform& uniform : project.uniforms) uniforms.push_back(uniform.value);
-    if (seed_is_uniform_) uniforms.back() = {static_cast<float>(seed % largest_seed), 0.0F, 0.0F, 0.0F};
-    const int shown = chosen_pass(project, options);
-    const int last = static_cast<int>(project.passes.size()) - 1;
-    FixedClock clock(options.schedule, host_rules(project));
-    Take& take = takes.emplace_back();
-    // The first frame is left out: drivers go on compiling in it.
-    const auto draw = [&](bool timed) {
-      Frame frame = clock.next();
-      frame.uniforms = uniforms;
-      const double start = processor_milliseconds();
-      player->render(frame);
-      player->finish();
-      if (!timed) return;
-      const double processor = processor_milliseconds() - start;
-      double gpu = 0.0;
-      for (const double pass : player->milliseconds()) gpu += std::max(pass, 0.0);
-      take.gpu = gpu > 0.0;
-      take.milliseconds.push_back(take.gpu ? gpu : processor);
-    };
-    int end = frames;
-    for (int i = 1; i <= end; ++i) {
-      draw(i > 1);
-      const bool power_of_two = (i & (i - 1)) == 0;
-      if (i != end && !(on_its_way && power_of_two)) continue;
-      take.frames.push_back(i);
-      take.shown.push_back(player->read(shown));
-      if (i == end && reference != nullptr && options_.max_frames.value_or(0) > end &&
-          picture_error(take.shown.back(), reference->shown.front()).relative_mse > target)
-        end = std::min(*options_.max_frames, 2 * end);
-    }
-    if (shown != last) take.last = player->read(last);
-    while (take.milliseconds.size() < least_timed_frames) draw(true);
+    if (!seed_is_uniform_)
+      opened = open(options, std::to_string(seed));
+    else if (!opened)
+      opened = open(options, seed_uniform);
+    takes.push_back(take(*opened, options, seed, frames, on_its_way, reference));
   }
   return takes;
+}
+
+SweepPlayer::Take SweepPlayer::take(Opened& opened, const PlayOptions& options, unsigned seed, int frames,
+                                    bool on_its_way, const Reference* reference) {
+  const auto& [project, player] = opened;
+  std::vector<std::array<float, 4>> uniforms;
+  for (const CustomUniform& uniform : project.uniforms) uniforms.push_back(uniform.value);
+  if (seed_is_uniform_) uniforms.back() = {static_cast<float>(seed % largest_seed), 0.0F, 0.0F, 0.0F};
+  const int shown = chosen_pass(project, options);
+  const int last = static_cast<int>(project.passes.size()) - 1;
+  const double target =
+      options_.targets.empty() ? 0.0 : *std::min_element(options_.targets.begin(), options_.targets.end());
+  FixedClock clock(options.schedule, host_rules(project));
+  Take take;
+  // The first frame is left out: drivers go on compiling in it.
+  const auto draw = [&, &player = *player](bool timed) {
+    Frame frame = clock.next();
+    frame.uniforms = uniforms;
+    const double start = processor_milliseconds();
+    player.render(frame);
+    player.finish();
+    if (!timed) return;
+    const double processor = processor_milliseconds() - start;
+    double gpu = 0.0;
+    for (const double pass : player.milliseconds()) gpu += std::max(pass, 0.0);
+    take.gpu = gpu > 0.0;
+    take.milliseconds.push_back(take.gpu ? gpu : processor);
+  };
+  int end = frames;
+  for (int i = 1; i <= end; ++i) {
+    draw(i > 1);
+    const bool power_of_two = (i & (i - 1)) == 0;
+    if (i != end && !(on_its_way && power_of_two)) continue;
+    take.frames.push_back(i);
+    take.shown.push_back(player->read(shown));
+    if (i == end && reference != nullptr && options_.max_frames.value_or(0) > end &&
+        picture_error(take.shown.back(), reference->shown.front()).relative_mse > target)
+      end = std::min(*options_.max_frames, 2 * end);
+  }
+  if (shown != last) take.last = player->read(last);
+  while (take.milliseconds.size() < least_timed_frames) draw(true);
+  return take;
 }
 
 Reference SweepPlayer::reference(const sweep::Point& point) {
@@ -221,6 +216,13 @@ Reference SweepPlayer::reference(const sweep::Point& point) {
   return reference;
 }
 
+const Flip& SweepPlayer::seen_reference(const Reference& reference, bool of_last_pass) {
+  const auto found = seen_.find(reference.key);
+  if (found != seen_.end()) return found->second;
+  return seen_.emplace(reference.key, Flip(of_last_pass ? *reference.picture : reference.shown.front()))
+      .first->second;
+}
+
 std::string SweepPlayer::key(const sweep::Point& point, const Reference* reference) {
   const PlayOptions options = options_of(point);
   std::string text = picture_key(options, options.frames);
@@ -255,7 +257,7 @@ std::vector<Measurement> SweepPlayer::run(const sweep::Point& point, int number,
     Measurement m;
     m.run = number;
     m.frames = takes.front().frames[stage];
-    m.milliseconds = median(times);
+    m.milliseconds = sweep::median(times);
     m.gpu = takes.front().gpu;
     double mse = 0.0;
     double relative_mse = 0.0;
@@ -287,10 +289,10 @@ std::vector<Measurement> SweepPlayer::run(const sweep::Point& point, int number,
   }
   if (reference != nullptr) {
     // Of what people see: of a buffer, the last pass; a file says nothing about that one.
-    if (!takes[0].last.has_value())
-      result.back().flip = flip(takes[0].shown.back(), reference->shown.front());
-    else if (reference->picture.has_value())
-      result.back().flip = flip(*takes[0].last, *reference->picture);
+    const Take& first = takes.front();
+    const Image& picture = first.last.has_value() ? *first.last : first.shown.back();
+    if (!first.last.has_value() || reference->picture.has_value())
+      result.back().flip = seen_reference(*reference, first.last.has_value()).mean(picture);
   }
   return result;
 }

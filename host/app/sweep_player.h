@@ -3,12 +3,15 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "host/app/options.h"
+#include "host/compare/flip.h"
 #include "host/image/image.h"
+#include "host/player/player.h"
 #include "host/sweep/measurement.h"
 #include "host/sweep/plan.h"
 
@@ -70,10 +73,20 @@ class SweepPlayer {
   };
 
   PlayOptions options_of(const sweep::Point& point) const;
+  struct Opened {
+    Project project;
+    std::unique_ptr<Player> player;
+  };
+  // `seed`: what SEED is, if there are seeds.
+  Opened open(PlayOptions options, const std::string& seed);
   // Plays with seed after seed, each from frame 0. Goes on beyond `frames` if the target asks for it, seen
   // from `reference`.
   std::vector<Take> play(const PlayOptions& options, const std::vector<unsigned>& seeds, int frames,
                          bool on_its_way, const Reference* reference);
+  Take take(Opened& opened, const PlayOptions& options, unsigned seed, int frames, bool on_its_way,
+            const Reference* reference);
+  // What people see of the reference, worked out once.
+  const Flip& seen_reference(const Reference& reference, bool of_last_pass);
   // The key of what these options draw.
   std::string picture_key(const PlayOptions& options, int frames);
   // What a device is, beside its name.
@@ -84,6 +97,7 @@ class SweepPlayer {
   // The seed is a uniform, so that a shader is compiled once; where it can't be, a macro.
   bool seed_is_uniform_;
   std::map<std::string, std::string> devices_;
+  std::map<std::string, Flip> seen_;  // by the reference's key
 };
 
 }  // namespace shadertwin::app

@@ -1,10 +1,12 @@
 #include "host/compare/flip.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <glm/glm.hpp>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "host/base/assert.h"
@@ -193,49 +195,50 @@ Plane shown_on_a_canvas(const Image& image) {
   return plane;
 }
 
-std::vector<double> differences(const Image& picture, const Image& reference, double pixels_per_degree) {
-  SHADERTWIN_ASSERT_EQ(picture.width, reference.width);
-  SHADERTWIN_ASSERT_EQ(picture.height, reference.height);
+}  // namespace
+
+Flip::Flip(const Image& reference, double pixels_per_degree)
+    : pixels_per_degree_(pixels_per_degree), reference_(see(reference, pixels_per_degree)) {}
+
+Flip::Seen Flip::see(const Image& image, double pixels_per_degree) {
+  Plane plane = shown_on_a_canvas(image);
+  for (dvec3& value : plane.values) value = to_opponent(value);
+  Seen seen{image.width, image.height, {}, features(plane, pixels_per_degree)};
+  seen.colors = filter_as_the_eye_does(plane, pixels_per_degree).values;
+  for (dvec3& value : seen.colors) value = to_perceived(glm::clamp(from_opponent(value), 0.0, 1.0));
+  return seen;
+}
+
+std::vector<double> Flip::differences(const Image& picture) const {
+  SHADERTWIN_ASSERT_EQ(picture.width, reference_.width);
+  SHADERTWIN_ASSERT_EQ(picture.height, reference_.height);
   constexpr double exponent = 0.7;   // of colour differences, eq. 8
   constexpr double low_share = 0.4;  // of the largest difference, and what it becomes, eq. 9
   constexpr double low_result = 0.95;
   const double largest = std::pow(
       colour_distance(to_perceived(dvec3(0.0, 1.0, 0.0)), to_perceived(dvec3(0.0, 0.0, 1.0))), exponent);
+  const double low = low_share * largest;
 
-  std::array<Plane, 2> seen;
-  std::array<std::vector<dvec2>, 2> found;
-  const std::array<const Image*, 2> images = {&picture, &reference};
-  for (std::size_t i = 0; i < 2; ++i) {
-    Plane plane = shown_on_a_canvas(*images[i]);
-    for (dvec3& value : plane.values) value = to_opponent(value);
-    found[i] = features(plane, pixels_per_degree);
-    seen[i] = filter_as_the_eye_does(plane, pixels_per_degree);
-    for (dvec3& value : seen[i].values) value = to_perceived(glm::clamp(from_opponent(value), 0.0, 1.0));
-  }
-  std::vector<double> result(seen[0].values.size());
+  const Seen seen = see(picture, pixels_per_degree_);
+  std::vector<double> result(seen.colors.size());
   for (std::size_t i = 0; i < result.size(); ++i) {
-    const double raw = std::pow(colour_distance(seen[0].values[i], seen[1].values[i]), exponent);
-    const double low = low_share * largest;
+    const double raw = std::pow(colour_distance(seen.colors[i], reference_.colors[i]), exponent);
     const double colour =
         raw < low ? low_result / low * raw : low_result + (raw - low) / (largest - low) * (1.0 - low_result);
-    const dvec2 change = glm::abs(found[0][i] - found[1][i]);
+    const dvec2 change = glm::abs(seen.features[i] - reference_.features[i]);
     const double feature = std::sqrt(std::max(change.x, change.y) / std::numbers::sqrt2);
     result[i] = std::pow(std::min(colour, 1.0), 1.0 - std::min(feature, 1.0));  // eq. 13 to 15
   }
   return result;
 }
 
-}  // namespace
-
-double flip(const Image& picture, const Image& reference, double pixels_per_degree) {
-  const std::vector<double> all = differences(picture, reference, pixels_per_degree);
-  double sum = 0.0;
-  for (const double value : all) sum += value;
-  return all.empty() ? 0.0 : sum / static_cast<double>(all.size());
+double Flip::mean(const Image& picture) const {
+  const std::vector<double> all = differences(picture);
+  return all.empty() ? 0.0 : std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
 }
 
-Image flip_map(const Image& picture, const Image& reference, double pixels_per_degree) {
-  const std::vector<double> all = differences(picture, reference, pixels_per_degree);
+Image Flip::map(const Image& picture) const {
+  const std::vector<double> all = differences(picture);
   Image map(picture.width, picture.height);
   for (std::size_t i = 0; i < all.size(); ++i) {
     std::fill_n(&map.rgba[4 * i], 3, static_cast<float>(all[i]));

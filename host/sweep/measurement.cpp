@@ -45,6 +45,12 @@ bool read_line(const std::string& line, Measurement& m) {
 
 }  // namespace
 
+double median(std::vector<double> values) {
+  if (values.empty()) return unknown;
+  std::sort(values.begin(), values.end());
+  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+}
+
 std::string number_text(double value) {
   if (std::isnan(value)) return "";
   char text[32];

@@ -51,6 +51,9 @@ class RunLog {
   std::vector<Measurement> all_;
 };
 
+// NaN of no values.
+double median(std::vector<double> values);
+
 // A number as tables hold it: with all its digits, and nothing for NaN.
 std::string number_text(double value);
 // A cell of a CSV, in quotes where it needs them (RFC 4180).

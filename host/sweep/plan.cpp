@@ -1,7 +1,6 @@
 #include "host/sweep/plan.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "host/base/error.h"
 
@@ -9,11 +8,11 @@ namespace shadertwin::sweep {
 
 namespace {
 
-std::string label_of(const std::vector<Axis>& axes, const Point& point,
-                     const std::function<bool(const Axis&)>& wanted) {
+std::string label_of(const std::vector<Axis>& axes, const Point& point, bool of_cases, const Point& base) {
   std::string text;
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    if (!wanted(axes[i])) continue;
+    if (axes[i].is_case != of_cases || axes[i].values.size() < 2 || (!base.empty() && point[i] == base[i]))
+      continue;
     text += (text.empty() ? "" : " ") + axes[i].name + "=" + point[i];
   }
   return text;
@@ -73,21 +72,19 @@ std::vector<Point> one_at_a_time(const std::vector<Axis>& axes, const Point& bas
   return points;
 }
 
-std::string label(const std::vector<Axis>& axes, const Point& point) {
-  return label_of(axes, point, [](const Axis& axis) { return axis.values.size() > 1; });
-}
-
 std::string case_label(const std::vector<Axis>& axes, const Point& point) {
-  return label_of(axes, point, [](const Axis& axis) { return axis.is_case && axis.values.size() > 1; });
+  return label_of(axes, point, true, {});
 }
 
 std::string variant_label(const std::vector<Axis>& axes, const Point& point, const Point& base) {
-  std::string text;
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    if (axes[i].is_case || axes[i].values.size() < 2 || (!base.empty() && point[i] == base[i])) continue;
-    text += (text.empty() ? "" : " ") + axes[i].name + "=" + point[i];
-  }
+  const std::string text = label_of(axes, point, false, base);
   return text.empty() && !base.empty() ? "default" : text;
+}
+
+std::string label(const std::vector<Axis>& axes, const Point& point, const Point& base) {
+  const std::string of_case = case_label(axes, point);
+  const std::string variant = variant_label(axes, point, base);
+  return of_case + (of_case.empty() || variant.empty() ? "" : " ") + variant;
 }
 
 }  // namespace shadertwin::sweep

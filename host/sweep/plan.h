@@ -30,11 +30,12 @@ std::vector<Point> all_combinations(const std::vector<Axis>& axes);
 // For each combination of cases `base`, then all points that differ from it in one axis.
 std::vector<Point> one_at_a_time(const std::vector<Axis>& axes, const Point& base);
 
-// "MASKING=1 on=cpu": those axes that have several values; "" if there are none.
-std::string label(const std::vector<Axis>& axes, const Point& point);
-// The same for cases only, or for all but cases: in which the point differs from `base`, if there is one,
-// "default" if it is the same.
+// "SCENE=1": the cases that have several values, and in which the point is; "" if there are none.
 std::string case_label(const std::vector<Axis>& axes, const Point& point);
+// The same for all other axes: only those in which the point differs from `base`, if there is one, and
+// "default" if it is the same.
 std::string variant_label(const std::vector<Axis>& axes, const Point& point, const Point& base = {});
+// Both.
+std::string label(const std::vector<Axis>& axes, const Point& point, const Point& base = {});
 
 }  // namespace shadertwin::sweep

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "host/base/error.h"
 #include "host/base/output_file.h"
 
 namespace shadertwin::sweep {
@@ -95,12 +93,7 @@ void write_csv(const Report& report, const std::filesystem::path& file) {
     text += std::string(result.pareto ? ",yes," : ",no,") +
             csv_cell(result.failed.empty() ? "ok" : result.failed) + '\n';
   }
-  OutputFile output(file);
-  std::ofstream stream(output.path(), std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw Error(ExitStatus::file, file.string() + ": can't be written");
-  output.commit();
+  write_file(file, text);
 }
 
 nlohmann::json to_json(const Report& report) {
@@ -159,9 +152,7 @@ std::string table(const Report& report) {
   bool extrapolated = false;
   std::string failures;
   for (const Result& result : report.results) {
-    const std::string scene = case_label(report.axes, result.point);
-    const std::string variant = variant_label(report.axes, result.point, report.base);
-    const std::string name = scene + (scene.empty() || variant.empty() ? "" : " ") + variant;
+    const std::string name = label(report.axes, result.point, report.base);
     const Summary& s = result.summary;
     if (!result.failed.empty()) {
       failures += (name.empty() ? "" : name + ": ") + result.failed + '\n';

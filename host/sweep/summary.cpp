@@ -48,12 +48,12 @@ Summary means(const Runs& runs) {
     s.infinite += m.infinite;
   }
   s.runs = static_cast<int>(numbers.size());
-  if (std::vector<double> times = known(runs, [](const Measurement& m) { return m.milliseconds; });
+  if (const std::vector<double> times = known(runs, [](const Measurement& m) { return m.milliseconds; });
       !times.empty()) {
-    std::sort(times.begin(), times.end());
-    s.milliseconds = 0.5 * (times[(times.size() - 1) / 2] + times[times.size() / 2]);
-    s.milliseconds_low = times.front();
-    s.milliseconds_high = times.back();
+    s.milliseconds = median(times);
+    const auto [low, high] = std::minmax_element(times.begin(), times.end());
+    s.milliseconds_low = *low;
+    s.milliseconds_high = *high;
   }
   s.rmse = estimate(known(runs, [](const Measurement& m) { return std::sqrt(m.mse); }));
   s.relative_mse = estimate(known(runs, [](const Measurement& m) { return m.relative_mse; }));

@@ -6,6 +6,8 @@
 #include <functional>
 #include <glm/glm.hpp>
 
+#include "tests/flat_image.h"
+
 namespace shadertwin {
 namespace {
 
@@ -24,7 +26,11 @@ Image picture(const std::function<glm::dvec3(int, int)>& color) {
 }
 
 Image flat(double r, double g, double b) {
-  return picture([=](int, int) { return glm::dvec3(r, g, b); });
+  return flat_image(width, height, static_cast<float>(r), static_cast<float>(g), static_cast<float>(b));
+}
+
+double flip(const Image& picture, const Image& reference, double pixels_per_degree = flip_pixels_per_degree) {
+  return Flip(reference, pixels_per_degree).mean(picture);
 }
 
 Image patches() {
@@ -65,7 +71,7 @@ TEST(Flip, IsOfWhatACanvasShows) {
 TEST(FlipMap, HasTheDifferenceWhereItIs) {
   Image spot = flat(0.2, 0.2, 0.2);
   std::fill_n(spot.at(4, 8), 3, 1.0F);
-  const Image map = flip_map(spot, flat(0.2, 0.2, 0.2));
+  const Image map = Flip(flat(0.2, 0.2, 0.2)).map(spot);
   EXPECT_GT(*map.at(4, 8), 0.5F);
   EXPECT_LT(*map.at(23, 8), 0.05F);
 }
