@@ -6,18 +6,13 @@
 #include <limits>
 #include <random>
 
+#include "tests/flat_image.h"
+
 namespace shadertwin {
 namespace {
 
 Image flat(float r, float g, float b, int side = 4) {
-  Image image(side, side);
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    image.rgba[i] = r;
-    image.rgba[i + 1] = g;
-    image.rgba[i + 2] = b;
-    image.rgba[i + 3] = 1.0F;
-  }
-  return image;
+  return flat_image(side, side, r, g, b);
 }
 
 TEST(PictureError, IsTheMeanOfSquaresAndOfThoseInUnitsOfTheReference) {

@@ -5,27 +5,17 @@
 #include <cmath>
 
 #include "host/base/error.h"
+#include "tests/flat_image.h"
 #include "tests/media/packets.h"
 #include "tests/scratch_folder.h"
 
 namespace shadertwin::media {
 namespace {
 
-Image flat(int width, int height, float r, float g, float b) {
-  Image image(width, height);
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    image.rgba[i] = r;
-    image.rgba[i + 1] = g;
-    image.rgba[i + 2] = b;
-    image.rgba[i + 3] = 1.0F;
-  }
-  return image;
-}
-
 void write(const std::filesystem::path& file, const VideoSettings& settings, int frames) {
   const auto writer = VideoWriter::create(file, settings);
   for (int i = 0; i < frames; ++i)
-    writer->add(flat(settings.width, settings.height, static_cast<float>(i % 7) / 7.0F, 0.5F, 0.25F));
+    writer->add(flat_image(settings.width, settings.height, static_cast<float>(i % 7) / 7.0F, 0.5F, 0.25F));
   writer->finish();
   EXPECT_TRUE(writer->warnings().empty());
 }
@@ -100,7 +90,7 @@ TEST(VideoWriter, SoundIsWhatWasWrittenAndAsLongAsItsSamples) {
     for (int i = 0; i < frames; ++i) {
       for (int s = 0; s < per_frame; ++s)
         samples[2 * s] = samples[2 * s + 1] = std::sin(0.06F * static_cast<float>(i * per_frame + s));
-      writer->add(flat(16, 16, 0, 0, 0));
+      writer->add(flat_image(16, 16, 0, 0, 0));
       writer->add_sound(samples);
     }
     writer->finish();
@@ -166,7 +156,7 @@ TEST(VideoWriter, NamesAnEncoderThatIsMissingOrStandsIn) {
       VideoWriter::create(folder / "a.mp4", {.width = 32, .height = 16, .encoders = {"absent", "mpeg4"}});
   ASSERT_EQ(writer->warnings().size(), 1U);
   EXPECT_NE(writer->warnings()[0].find("mpeg4 stands in"), std::string::npos) << writer->warnings()[0];
-  for (int i = 0; i < 3; ++i) writer->add(flat(32, 16, 1, 0, 0));
+  for (int i = 0; i < 3; ++i) writer->add(flat_image(32, 16, 1, 0, 0));
   writer->finish();
   EXPECT_EQ(read_packets(folder / "a.mp4").times.size(), 3U);
 }
@@ -176,7 +166,7 @@ TEST(VideoWriter, AnUnfinishedVideoLeavesTheOldFile) {
   folder.write("a.webm", "old");
   {
     const auto writer = VideoWriter::create(folder / "a.webm", {.width = 32, .height = 16});
-    writer->add(flat(32, 16, 1, 0, 0));
+    writer->add(flat_image(32, 16, 1, 0, 0));
   }
   EXPECT_EQ(std::filesystem::file_size(folder / "a.webm"), 3U);
   std::filesystem::remove(folder / "a.webm");
