@@ -31,11 +31,11 @@ Project load_project(const std::filesystem::path& shader, const LoadOptions& opt
     resolve_macros(project, pass.source, ShaderStage::fragment);
     canonicalise_body(pass.source);
     adopt_other_uniforms(project, i, pass);
-    empty_uniform_blocks(pass);
     if (pass.vertex.has_value()) {
       resolve_macros(project, *pass.vertex, ShaderStage::vertex);
       canonicalise_body(*pass.vertex);
     }
+    empty_uniform_blocks(pass);
     write_host_text(project, pass);
   }
   warn_of_defines(project);

@@ -14,10 +14,11 @@ namespace {
 
 class Emptier {
  public:
-  explicit Emptier(Pass& pass) : pass_(pass), tokens_(tokenize(pass.source.body)) {}
+  Emptier(Pass& pass, PassSource& source) : pass_(pass), source_(source), tokens_(tokenize(source.body)) {}
 
-  void run() {
-    if (!mentions(tokens_, "uniform")) return;
+  // Was there any?
+  bool run() {
+    if (!mentions(tokens_, "uniform")) return false;
     int depth = 0;
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       if (tokens_[i].preprocessor) continue;
@@ -25,9 +26,9 @@ class Emptier {
       if (at(i).is("{") || at(i).is("(")) ++depth;
       if (at(i).is("}") || at(i).is(")")) depth = std::max(depth - 1, 0);
     }
-    if (edits_.empty()) return;
-    draw_nothing();
-    pass_.source.body = edited(pass_.source.body, std::move(edits_));
+    if (edits_.empty()) return false;
+    source_.body = edited(source_.body, std::move(edits_));
+    return true;
   }
 
  private:
@@ -72,7 +73,7 @@ class Emptier {
     const Token& name = at(i + 1);
     const std::size_t close = end_of_members(i);
     const bool has_instance = !at(close + 1).is(";");
-    if (!noted_) note(name);
+    note(name);
     // Members, each with the word `uniform` if it stands for itself.
     for (std::size_t k = i + 3; k < close;) {
       if (at(k).is("layout")) {
@@ -100,34 +101,39 @@ class Emptier {
   }
 
   void note(const Token& name) {
-    noted_ = true;
-    const auto& lines = pass_.source.lines;
+    if (std::ranges::any_of(pass_.other_uniforms, &OtherUniform::is_block)) return;
+    const auto& lines = source_.lines;
     const auto line = static_cast<std::size_t>(name.line - 1);
     OtherUniform block{std::string(name.text), line < lines.size() ? lines[line] : SourceLine{}};
     block.is_block = true;
     pass_.other_uniforms.push_back(std::move(block));
   }
 
-  void draw_nothing() {
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (!is_entry_point(at(i).text)) continue;
-      const std::size_t body = body_of_function(tokens_, i);
-      if (body == tokens_.size()) continue;
-      const bool is_sound = at(i).is(traits(PassKind::sound).entry);
-      edits_.push_back({at(body).end(), 0, is_sound ? " return vec2(0.0);" : " discard;"});
-    }
-  }
-
   Pass& pass_;
+  PassSource& source_;
   std::vector<Token> tokens_;
   std::vector<Edit> edits_;
-  bool noted_ = false;
 };
+
+void draw_nothing(PassSource& source) {
+  const std::vector<Token> tokens = tokenize(source.body);
+  std::vector<Edit> edits;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (!is_entry_point(tokens[i].text)) continue;
+    const std::size_t body = body_of_function(tokens, i);
+    if (body == tokens.size()) continue;
+    const bool is_sound = tokens[i].is(traits(PassKind::sound).entry);
+    edits.push_back({tokens[body].end(), 0, is_sound ? " return vec2(0.0);" : " discard;"});
+  }
+  source.body = edited(source.body, std::move(edits));
+}
 
 }  // namespace
 
 void empty_uniform_blocks(Pass& pass) {
-  Emptier(pass).run();
+  bool any = Emptier(pass, pass.source).run();
+  if (pass.vertex.has_value()) any = Emptier(pass, *pass.vertex).run() || any;
+  if (any) draw_nothing(pass.source);
 }
 
 }  // namespace shadertwin

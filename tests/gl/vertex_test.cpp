@@ -67,6 +67,22 @@ void main() { gl_FragColor = seen; }
   EXPECT_EQ(pixel(frames(project, 3, small(4, 2)).back()), glm::vec4(2, 0.25F, 4, 2));
 }
 
+// WebGL2 refuses to draw with a block that has no buffer, whichever text has it.
+TEST_P(Vertex, AUniformBlockDrawsNothing) {
+  folder.write("v.glsl", R"(
+layout(std140) uniform Place { mat4 matrix; vec2 shift; } place[2];
+void main() {
+  vec2 corner = vec2(ivec2(gl_VertexID & 1, gl_VertexID >> 1) * 4 - 1);
+  gl_Position = vec4(corner + place[1].shift + place[0].matrix[0].xy, 0, gl_VertexID < 3 ? 1 : -1);
+}
+)");
+  const Project project = load_project(folder.write(
+      "x.glsl", "#iVertex \"v.glsl\"\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n"));
+  EXPECT_EQ(pixel(frames(project, 1, small(4, 2)).back()), glm::vec4(0));
+  ASSERT_EQ(project.passes.back().other_uniforms.size(), 1U);
+  EXPECT_EQ(project.passes.back().other_uniforms[0].name, "Place");
+}
+
 TEST_P(Vertex, RunsAsFragmentsAndSaysSo) {
   folder.write("v.glsl", covers);
   const Project project =
