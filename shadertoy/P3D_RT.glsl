@@ -65,9 +65,21 @@
 #define BACKGROUND SCENE_BACKGROUND
 #endif
 
-// The mean is kept in 0: linear light. 1: gamma space, as in the report's assignment: noise turns into a bias.
+// The mean is kept in 0: linear light. 1: gamma space, as in the report's assignment: noise turns into a bias, and each
+// sample's light beyond white is lost. Image then shows it as it is, without EXPOSURE and TONE_CURVE.
 #ifndef ACCUMULATION
 #define ACCUMULATION 0
+#endif
+
+// The buffer's numbers. 0: as the host has them, 32 bits on a desktop. 1: rounded to the 16 bits that phones and old
+// browsers give: the count of samples stops at 2,048, and the mean gets no better from there on.
+#ifndef BUFFER_FORMAT
+#define BUFFER_FORMAT 0
+#endif
+
+// Quads are 0: parallelograms. 1: two triangles each.
+#ifndef QUAD_TEST
+#define QUAD_TEST 0
 #endif
 
 #if SAMPLES_PER_FRAME < 1
@@ -94,13 +106,19 @@
 #if ACCUMULATION < 0 || ACCUMULATION > 1
 #error ACCUMULATION is 0 (linear) or 1 (gamma)
 #endif
+#if BUFFER_FORMAT < 0 || BUFFER_FORMAT > 1
+#error BUFFER_FORMAT is 0 (the host's) or 1 (half floats)
+#endif
+#if QUAD_TEST < 0 || QUAD_TEST > 1
+#error QUAD_TEST is 0 (parallelogram) or 1 (two triangles)
+#endif
 
 //-------------------------------------------------------------------------------
 // World
 //-------------------------------------------------------------------------------
 
 // A general build must not know how much there is of anything.
-#ifdef GENERAL
+#if GENERAL
 #define COUNT(n) ((n) + min(iFrame, 0))
 #else
 #define COUNT(n) (n)
@@ -123,6 +141,19 @@ Quad scene_quad(int i)
     return createQuad(QUAD[3 * i], QUAD[3 * i + 1], QUAD[3 * i + 2]);
 }
 
+bool hit_sceneQuad(Quad quad, Ray r, float tmin, float tmax, inout HitRecord rec)
+{
+#if QUAD_TEST == 0
+    return hit_quad(quad, r, tmin, tmax, rec);
+#else
+    vec3 opposite = quad.corner + quad.edge1 + quad.edge2;
+    bool hit = hit_triangle(createTriangle(quad.corner, quad.corner + quad.edge1, opposite), r, tmin, tmax, rec);
+    float t = hit ? rec.t : tmax;
+    bool hit2 = hit_triangle(createTriangle(quad.corner, opposite, quad.corner + quad.edge2), r, tmin, t, rec);
+    return hit || hit2;
+#endif
+}
+
 // The nearest hit with tmin < t < tmax. rec stays as it was when there is none. Primitives are numbered: quads (lights
 // last), spheres, then those of the scene's own structure.
 bool hit_world(Ray r, float tmin, float tmax, inout HitRecord rec)
@@ -130,7 +161,7 @@ bool hit_world(Ray r, float tmin, float tmax, inout HitRecord rec)
     int nearest = -1;
     float t = tmax;
     for (int i = 0; i < COUNT(QUADS); i++) {
-        if (hit_quad(scene_quad(i), r, tmin, t, rec)) {
+        if (hit_sceneQuad(scene_quad(i), r, tmin, t, rec)) {
             nearest = i;
             t = rec.t;
         }
@@ -403,7 +434,7 @@ vec4 accumulate(vec4 mean, vec3 color)
 #if ACCUMULATION == 0
     vec3 c = color;
 #else
-    vec3 c = toGamma(color);
+    vec3 c = toGamma(portableExp2(OPAQUE(SCENE_EXPOSURE)) * color);
 #endif
     if (!isPlausible(c)) {
         return mean;
@@ -439,5 +470,10 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord)
         Ray ray = getRay(cam, pixel_sample, vec3(xi.zw, xiTime.x));
         mean = accumulate(mean, rayColor(ray, stream));
     }
+#if BUFFER_FORMAT == 1
+    // The largest half is 65,504; beyond it is infinity, which the next frame would never lose.
+    mean = min(mean, 65504.0);
+    mean = vec4(unpackHalf2x16(packHalf2x16(mean.rg)), unpackHalf2x16(packHalf2x16(mean.ba)));
+#endif
     fragColor = mean;
 }

@@ -82,6 +82,12 @@
 #define SEED_ATTENUATION 0
 #endif
 
+// 0: what the scene doesn't declare is compiled out. 1: all of it is compiled in and no loop's length is known, as in
+// one program for all scenes.
+#ifndef GENERAL
+#define GENERAL 0
+#endif
+
 #if FRESNEL < 0 || FRESNEL > 2
 #error FRESNEL is 0 (exact), 1 (Schlick) or 2 (Schlick with the incident cosine)
 #endif
@@ -112,12 +118,15 @@
 #if SEED_ATTENUATION < 0 || SEED_ATTENUATION > 1
 #error SEED_ATTENUATION is 0 (physical) or 1 (the report)
 #endif
+#if GENERAL < 0 || GENERAL > 1
+#error GENERAL is 0 (the scene's features) or 1 (all)
+#endif
 
 //-------------------------------------------------------------------------------
 // Features: what the scene before this file doesn't declare is compiled out
 //-------------------------------------------------------------------------------
 
-#if !defined(SCENE_NAME) || defined(GENERAL)
+#if !defined(SCENE_NAME) || GENERAL
 #define HAS_LENS
 #define HAS_MOTION
 #define HAS_METAL
