@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "tests/shadertoy/bar.h"
-#include "tests/shadertoy/statistics.h"
+#include "tests/shadertoy/random.h"
 
 namespace shadertwin {
 namespace {

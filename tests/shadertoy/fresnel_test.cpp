@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tests/shadertoy/bar.h"
-#include "tests/shadertoy/statistics.h"
+#include "tests/shadertoy/random.h"
 
 namespace shadertwin {
 namespace {

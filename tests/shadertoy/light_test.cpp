@@ -1,9 +1,5 @@
-// Direct light: quad lights against closed forms with every strategy, shadows of moving things, and the
-// weights.
-#include <array>
+// Direct light: the densities and weights of quad lights, and shadows of moving things.
 #include <cmath>
-#include <numbers>
-#include <sstream>
 
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/shapes.h"
@@ -13,98 +9,15 @@ namespace {
 
 class QuadLights : public OnEveryBackend {};
 SHADERTWIN_ON_EVERY_BACKEND(QuadLights);
-class QuadLightStrategies : public OnEveryBackend {};
-SHADERTWIN_ON_FIRST_BACKEND(QuadLightStrategies);
 class Shadows : public OnEveryBackend {};
 SHADERTWIN_ON_EVERY_BACKEND(Shadows);
 
-using std::numbers::pi;
 constexpr double u = unit_roundoff;
 const Probe lights{.file = "lights.glsl", .inputs = 5, .outputs = 3};
 const Probe shadows{.file = "shadows.glsl", .inputs = 1, .outputs = 1};
 
 glm::dvec3 vec(const glm::vec4& v) {
   return glm::dvec3(v);
-}
-
-struct Floor {
-  double width, depth, height, albedo, radiance;
-};
-
-// Irradiance over radiance of a polygon with corners v, seen from the origin by a surface of normal n:
-// Lambert's formula, a sum over the edges.
-double lambert(const std::vector<glm::dvec3>& v, const glm::dvec3& n) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    const glm::dvec3 a = glm::normalize(v[i]);
-    const glm::dvec3 b = glm::normalize(v[(i + 1) % v.size()]);
-    const glm::dvec3 across = glm::cross(a, b);
-    sum += std::atan2(glm::length(across), glm::dot(a, b)) * glm::dot(n, glm::normalize(across));
-  }
-  return std::abs(sum) / 2.0;
-}
-
-// Radiance of the floor at (x, 0, z).
-double closed_form(const Floor& f, double x, double z) {
-  const double a = f.width / 2.0;
-  const double b = f.depth / 2.0;
-  const double irradiance = lambert({{-a - x, f.height, -b - z},
-                                     {a - x, f.height, -b - z},
-                                     {a - x, f.height, b - z},
-                                     {-a - x, f.height, b - z}},
-                                    {0, 1, 0});
-  return f.albedo / pi * f.radiance * irradiance;
-}
-
-TEST(QuadLightOracle, GivesTheTable) {
-  const std::array<std::pair<Floor, double>, 3> rows = {
-      {{{1, 1, 1, 1, 1}, .2394564705}, {{2, 2, 1, 1, 1}, .5541264240}, {{10, 5, 24.8, .7, 20}, .3504707896}}};
-  for (const auto& [floor, expected] : rows) EXPECT_NEAR(closed_form(floor, 0, 0), expected, 1e-10);
-}
-
-std::string glsl(double value) {
-  std::ostringstream text;
-  text.precision(9);
-  text << std::showpoint << value;
-  return text.str();
-}
-
-TEST_P(QuadLightStrategies, AllGiveTheClosedForm) {
-  constexpr std::size_t batches = 64;
-  const std::vector<glm::dvec2> points = {{0, 0}, {0.7, 0.2}, {3, -2}};
-  for (const Floor& floor : {Floor{1, 1, 1, 1, 1}, Floor{2, 2, 1, 1, 1}, Floor{10, 5, 24.8, .7, 20}})
-    for (const char* strategy : {"0", "1", "2", "3"}) {
-      const Probe paths{
-          .file = "paths.glsl",
-          .inputs = 2,
-          .outputs = 3,
-          .defines = {{"ROOM", "0"},
-                      {"SAMPLES", "512"},
-                      {"LIGHT_STRATEGY", strategy},
-                      {"ALBEDO", glsl(floor.albedo)},
-                      {"RADIANCE", glsl(floor.radiance)},
-                      {"LIGHT_HEIGHT", glsl(floor.height)},
-                      {"LIGHT_SIZE", "vec2(" + glsl(floor.width) + ", " + glsl(floor.depth) + ")"}}};
-      Table inputs(points.size() * batches, 2);
-      for (std::size_t i = 0; i < inputs.cases(); ++i) {
-        const glm::dvec2 p = points[i / batches];
-        const glm::dvec3 eye(p.x + 0.1, 0.5 * floor.height, p.y + 0.1);
-        inputs.at(i, 0) = texel(eye, static_cast<double>(i % batches));
-        inputs.at(i, 1) = texel(glm::normalize(glm::dvec3(p.x, 0, p.y) - eye));
-      }
-      const Table got = run(paths, inputs);
-      for (std::size_t k = 0; k < points.size(); ++k) {
-        std::vector<double> means;
-        for (std::size_t b = 0; b < batches; ++b) {
-          means.push_back(got.at(k * batches + b, 0).x);
-          EXPECT_EQ(got.at(k * batches + b, 2).z, 0.0F);
-        }
-        const double expected = closed_form(floor, points[k].x, points[k].y);
-        expect_mean("strategy " + std::string(strategy) + ", light " + glsl(floor.width) + " by " +
-                        glsl(floor.depth) + " at " + glsl(floor.height) + ", point " + std::to_string(k),
-                    means, expected, 2e-6 * expected);
-      }
-    }
 }
 
 TEST_P(QuadLights, PointsAreUniformAndDensitiesPerSolidAngle) {

@@ -156,46 +156,6 @@ TEST_P(Microfacets, TintedMetalsKeepTheirColourAndStayWithinOne) {
     }
 }
 
-TEST_P(Microfacets, VisibleNormalsFollowTheirDistribution) {
-  // In the stretched frame the mirror images of the view on visible normals are even on a cap of the sphere.
-  for (const double alpha : {0.04, 0.25, 0.64, 1.0})
-    for (const double mu : {1.0, 0.7, 0.3, 0.05}) {
-      Random random(94);
-      constexpr std::size_t count = 1 << 18;
-      Table inputs(count, 2);
-      for (std::size_t i = 0; i < count; ++i) {
-        inputs.at(i, 0) = texel(ggx::direction(mu), alpha);
-        inputs.at(i, 1) = texel({random.uniform(), random.uniform(), 0});
-      }
-      const Table got = run(samples, inputs);
-      const glm::dvec3 v = glm::normalize(glm::dvec3(inputs.at(0, 0)));
-      const auto a = static_cast<double>(inputs.at(0, 0).w);
-      const glm::dvec3 view = glm::normalize(glm::dvec3(a * v.x, a * v.y, v.z));
-      std::vector<double> height;
-      std::vector<double> turn;
-      std::vector<double> ndf;
-      std::vector<double> ndf_turn;
-      for (std::size_t i = 0; i < count; ++i) {
-        const glm::dvec3 h(got.at(i, 0));
-        const glm::dvec3 s = glm::normalize(glm::dvec3(h.x / a, h.y / a, h.z));
-        const glm::dvec3 c = 2.0 * glm::dot(s, view) * s - view;
-        height.push_back(std::clamp((c.z + view.z) / (1.0 + view.z), 0.0, 1.0));
-        turn.push_back(std::atan2(c.y, c.x) / (2.0 * pi) + 0.5);
-        const glm::dvec3 m(got.at(i, 1));
-        const double tangent2 = (m.x * m.x + m.y * m.y) / (m.z * m.z);
-        ndf.push_back(tangent2 / (a * a + tangent2));
-        ndf_turn.push_back(std::atan2(m.y, m.x) / (2.0 * pi) + 0.5);
-      }
-      const std::string name = "alpha " + std::to_string(alpha) + ", cosine " + std::to_string(mu);
-      expect_uniform("visible normals, " + name, height, 256);
-      expect_uniform("angle of visible normals, " + name, turn, 256);
-      expect_uniform_pairs("visible normals and angle, " + name, height, turn, 32);
-      if (mu != 1.0) continue;
-      expect_uniform("normals, " + name, ndf, 256);
-      expect_uniform_pairs("normals and angle, " + name, ndf, ndf_turn, 32);
-    }
-}
-
 TEST_P(Microfacets, SampledNormalsAreOfUnitLengthAndFinite) {
   Random random(95);
   Table inputs(million, 2);

@@ -17,6 +17,9 @@
 #ifndef LIGHT_HEIGHT
 #define LIGHT_HEIGHT 1.0
 #endif
+#ifndef BALL_RADIUS
+#define BALL_RADIUS 1.0
+#endif
 #ifndef BALL_MATERIAL
 #define BALL_MATERIAL createDiffuseMaterial(vec3(ALBEDO))
 #endif
@@ -87,7 +90,7 @@ const vec3 QUAD[18] = vec3[18](
 const vec3 QUAD[3] = vec3[3](vec3(-1000.0, -1000.0, 0.0), vec3(1000.0, 0.0, 0.0), vec3(0.0, 2000.0, 0.0));
 #endif
 
-const vec4 SPHERE[1] = vec4[1](vec4(0.0, 0.0, 0.0, 1.0));
+const vec4 SPHERE[1] = vec4[1](vec4(0.0, 0.0, 0.0, BALL_RADIUS));
 
 Material scene_material(int primitive, vec3 pos)
 {

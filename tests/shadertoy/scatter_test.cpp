@@ -4,7 +4,7 @@
 
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/ggx.h"
-#include "tests/shadertoy/shapes.h"
+#include "tests/shadertoy/scattering.h"
 
 namespace shadertwin {
 namespace {
@@ -15,56 +15,7 @@ SHADERTWIN_ON_EVERY_BACKEND(Scatter);
 using std::numbers::pi;
 constexpr std::size_t million = std::size_t{1} << 20;
 constexpr double u = unit_roundoff;
-enum Type { diffuse, metal, dielectric, conductor, plastic };
-
-Probe probe(int function, std::vector<std::pair<std::string, std::string>> defines = {}) {
-  return {
-      .file = "scatter.glsl", .function = function, .inputs = 6, .outputs = 3, .defines = std::move(defines)};
-}
-
-struct Case {
-  Type type = diffuse;
-  glm::dvec3 direction{0, 0, -1}, normal{0, 0, 1};
-  double roughness = 0.5;
-  glm::dvec3 color{0.5};
-  double index = 1.5;
-  glm::dvec4 xi{0.5};
-  glm::dvec3 extra{0};
-  double way = 1;
-};
-
-glm::dvec3 vec(const glm::vec4& v) {
-  return glm::dvec3(v);
-}
-
-Table table_of(const std::vector<Case>& cases) {
-  Table inputs(cases.size(), 6);
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const Case& c = cases[i];
-    inputs.at(i, 0) = texel(glm::normalize(c.direction), c.type);
-    inputs.at(i, 1) = texel(glm::normalize(c.normal), c.roughness);
-    inputs.at(i, 2) = texel(c.color, c.index);
-    inputs.at(i, 3) = glm::vec4(c.xi);
-    inputs.at(i, 4) = texel(c.extra);
-    inputs.at(i, 5) = texel(glm::dvec3(1, 2, 3) - c.way * vec(inputs.at(i, 0)));
-  }
-  return inputs;
-}
-
-glm::dvec4 random_xi(Random& random) {
-  return {random.uniform(), random.uniform(), random.uniform(), random.uniform()};
-}
-
-// Arrives at the front of a random surface with a cosine of all scales.
-Case arriving(Random& random, Type type, double least = 1e-3) {
-  Case c;
-  c.type = type;
-  c.normal = random_direction(random);
-  const double cosine = random.log_uniform(least, 1.0);
-  c.direction = std::sqrt(1.0 - cosine * cosine) * random_across(random, c.normal) - cosine * c.normal;
-  c.xi = random_xi(random);
-  return c;
-}
+using namespace scattering;  // NOLINT(google-build-using-namespace)
 
 TEST_P(Scatter, MirrorsReflect) {
   Random random(101);
@@ -159,89 +110,6 @@ TEST_P(Scatter, RefractionIsReversible) {
   }
 }
 
-TEST_P(Scatter, GlassReflectsAsOftenAsFresnelSays) {
-  std::vector<Case> cases;
-  Random random(104);
-  constexpr std::size_t each = 1 << 13;
-  for (int angle = 0; angle < 20; ++angle)
-    for (const double index : {1.1, 1.33, 1.5, 2.4})
-      for (std::size_t i = 0; i < each; ++i) {
-        Case c;
-        c.type = dielectric;
-        c.roughness = i % 2 ? 0.0 : 0.3;
-        c.index = index;
-        const double theta = (angle + 0.5) * pi / 40.0;
-        c.direction = {std::sin(theta), 0, -std::cos(theta)};
-        if (angle % 2) c.direction.z = -c.direction.z;  // from within
-        c.xi = random_xi(random);
-        cases.push_back(c);
-      }
-  const Table inputs = table_of(cases);
-  const Table got = run(probe(0), inputs);
-  for (std::size_t group = 0; group < cases.size(); group += each) {
-    const glm::dvec3 d = vec(inputs.at(group, 0));
-    const double c = std::abs(d.z);
-    const double eta = d.z > 0.0 ? 1.0 / static_cast<double>(inputs.at(group, 2).w) : inputs.at(group, 2).w;
-    const double s2 = (1.0 - c * c) / (eta * eta);
-    const double t = std::sqrt(std::max(0.0, 1.0 - s2));
-    const double rs = (c - eta * t) / (c + eta * t);
-    const double rp = (eta * c - t) / (eta * c + t);
-    const double expected = s2 >= 1.0 ? 1.0 : 0.5 * (rs * rs + rp * rp);
-    double count = 0.0;
-    for (std::size_t i = group; i < group + each; ++i) count += got.at(i, 1).z * d.z < 0.0 ? 1.0 : 0.0;
-    const double sigma = std::sqrt(expected * (1.0 - expected) / each);
-    EXPECT_NEAR(count / each, expected, test_sigmas * sigma + 1e-6)
-        << "cosine " << d.z << ", index " << cases[group].index;
-  }
-}
-
-// The part of a ball of radius r at distance 1 that a cone around its centre with cosine c does not hold.
-double beyond_cone(double c, double r) {
-  const double least = std::sqrt(std::max(0.0, 1.0 - r * r));
-  const auto chord = [r](double x) {
-    const double root = std::sqrt(std::max(0.0, x * x - 1.0 + r * r));
-    return (std::pow(x + root, 3) - std::pow(std::max(0.0, x - root), 3)) / 3.0;
-  };
-  return c <= least ? 0.0 : integrate(chord, least, c) * 2.0 * pi / (4.0 / 3.0 * pi * r * r * r);
-}
-
-TEST_P(Scatter, FuzzyDirectionsAreABallAroundTheMirrorDirection) {
-  for (const double r : {0.1, 0.5, 1.0}) {
-    Random random(105);
-    constexpr std::size_t count = 1 << 18;
-    std::vector<Case> cases(count);
-    for (Case& c : cases) {
-      c.type = metal;
-      c.roughness = r;
-      c.direction = {0.3, -0.1, -1};
-      c.xi = random_xi(random);
-    }
-    const Table inputs = table_of(cases);
-    const Table got = run(probe(0), inputs);
-    const glm::dvec3 d = vec(inputs.at(0, 0));
-    const glm::dvec3 mirror = glm::normalize(glm::dvec3(d.x, d.y, -d.z));
-    const glm::dvec3 side = glm::normalize(glm::cross(mirror, glm::dvec3(0, 0, 1)));
-    const glm::dvec3 other = glm::cross(mirror, side);
-    constexpr std::size_t cells = 64;
-    std::vector<double> counts(cells);
-    std::vector<double> expected(cells);
-    std::vector<double> turn;
-    const double least = std::sqrt(1.0 - r * r);
-    const auto edge = [&](std::size_t k) { return least + (1.0 - least) * static_cast<double>(k) / cells; };
-    for (std::size_t k = 0; k < cells; ++k)
-      expected[k] = count * (beyond_cone(edge(k + 1), r) - beyond_cone(edge(k), r));
-    for (std::size_t i = 0; i < count; ++i) {
-      const glm::dvec3 way = vec(got.at(i, 1));
-      const double c = std::clamp(glm::dot(way, mirror), least, 1.0);
-      counts[std::min(static_cast<std::size_t>((c - least) / (1.0 - least) * cells), cells - 1)] += 1.0;
-      turn.push_back(std::atan2(glm::dot(way, other), glm::dot(way, side)) / (2.0 * pi) + 0.5);
-    }
-    expect_plausible("fuzzy mirror, angle to the mirror direction, roughness " + std::to_string(r),
-                     chi_square_p(counts, expected));
-    expect_uniform("fuzzy mirror, around the mirror direction, roughness " + std::to_string(r), turn, 256);
-  }
-}
-
 TEST_P(Scatter, DiffuseKeepsItsAlbedoFromBothSides) {
   Random random(106);
   std::vector<Case> cases;
@@ -307,107 +175,6 @@ TEST_P(Scatter, WeightsAndDensitiesOfMetalsAreThoseOfVisibleNormals) {
     // peak.
     density.near(got.at(i, 1).w, pdf, (2e-6 + 16.0 * u / (alpha * glm::length(v + l))) * pdf, where);
   }
-}
-
-TEST_P(Scatter, EvaluatedAndSampledDensitiesAgree) {
-  // Mean of g / pdf over samples is the integral of g, for g = cos^2 in cells of the hemisphere.
-  constexpr int rings = 6;
-  constexpr int sectors = 8;
-  constexpr std::size_t count = million / 4;
-  for (const Type type : {diffuse, plastic})
-    for (const double r : {0.1, 0.5, 1.0}) {
-      if (type == diffuse && r != 1.0) continue;
-      Random random(108);
-      std::vector<Case> cases(count);
-      for (Case& c : cases) {
-        c.type = type;
-        c.roughness = r;
-        c.color = glm::dvec3(0.8);
-        c.direction = {0.8, 0, -0.6};
-        c.xi = random_xi(random);
-      }
-      const Table inputs = table_of(cases);
-      const Table got = run(probe(0), inputs);
-      std::vector<std::vector<double>> values(rings * sectors, std::vector<double>(count / 1024));
-      for (std::size_t i = 0; i < count; ++i) {
-        if (got.at(i, 0).w == 0.0F) continue;
-        const glm::dvec3 l = vec(got.at(i, 1));
-        const auto ring = std::min(static_cast<std::size_t>(l.z * rings), std::size_t{rings - 1});
-        const auto sector =
-            std::min(static_cast<std::size_t>((std::atan2(l.y, l.x) / (2.0 * pi) + 0.5) * sectors),
-                     std::size_t{sectors - 1});
-        values[ring * sectors + sector][i / 1024] += l.z * l.z / static_cast<double>(got.at(i, 1).w) / 1024.0;
-      }
-      for (std::size_t k = 0; k < values.size(); ++k) {
-        const double low = static_cast<double>(k / sectors) / rings;
-        const double high = low + 1.0 / rings;
-        const double expected = (high * high * high - low * low * low) / 3.0 * 2.0 * pi / sectors;
-        expect_mean("type " + std::to_string(type) + ", roughness " + std::to_string(r) + ", cell " +
-                        std::to_string(k),
-                    values[k], expected, 1e-6);
-      }
-      // And what scatter returns is what evaluateBsdf says of that direction.
-      Table towards = inputs;
-      for (std::size_t i = 0; i < count; ++i) towards.at(i, 3) = got.at(i, 1);
-      const Table evaluated = run(probe(1), towards);
-      Bar pdf("pdf of evaluateBsdf against scatter, relative");
-      Bar weight("BRDF over pdf of evaluateBsdf against scatter, relative");
-      for (std::size_t i = 0; i < count; ++i) {
-        if (got.at(i, 0).w == 0.0F || got.at(i, 1).z < 1e-3F) continue;
-        const double p = got.at(i, 1).w;
-        const double slack = 2e-6 + 64.0 * u / (r * r) + 8.0 * u / static_cast<double>(got.at(i, 1).z);
-        pdf.near(evaluated.at(i, 0).w, p, slack * p, {{"case", i}, {"type", type}, {"roughness", r}});
-        weight.near(static_cast<double>(evaluated.at(i, 0).x) / p, got.at(i, 0).x,
-                    slack * static_cast<double>(got.at(i, 0).x) + 1e-7,
-                    {{"case", i}, {"type", type}, {"roughness", r}});
-      }
-    }
-}
-
-TEST_P(Scatter, BrdfsAreReciprocalAndPositive) {
-  Random random(109);
-  std::vector<Case> cases;
-  for (std::size_t i = 0; i < million; ++i) {
-    Case c = arriving(random, i % 3 == 0 ? diffuse : i % 3 == 1 ? conductor : plastic, 1e-2);
-    c.normal = {0, 0, 1};
-    const auto direction = [&] {
-      const double cosine = random.log_uniform(1e-2, 1.0);
-      const double turn = 2.0 * pi * random.uniform();
-      return glm::dvec3(std::sqrt(1.0 - cosine * cosine) * std::cos(turn),
-                        std::sqrt(1.0 - cosine * cosine) * std::sin(turn), cosine);
-    };
-    c.direction = -direction();
-    c.xi = glm::dvec4(direction(), 0);
-    c.color = {random.uniform(), random.uniform(), random.uniform()};
-    c.extra = c.color;
-    c.roughness = random.uniform(0.05, 1);
-    cases.push_back(c);
-  }
-  const Table there = table_of(cases);
-  Table back = there;
-  for (std::size_t i = 0; i < million; ++i) {
-    back.at(i, 0) = texel(-vec(there.at(i, 3)), there.at(i, 0).w);
-    back.at(i, 3) = texel(-vec(there.at(i, 0)));
-  }
-  const std::vector<std::pair<std::string, std::string>> defines = {{"ENERGY_COMPENSATION", "0"}};
-  const Table f = run(probe(1, defines), there);
-  const Table g = run(probe(1, defines), back);
-  Bar bar("BRDF there and back, relative difference");
-  Bar positive("BRDF, negative or infinite values");
-  for (std::size_t i = 0; i < million; ++i)
-    for (int j = 0; j < 3; ++j) {
-      const double forward = static_cast<double>(f.at(i, 0)[j]) / static_cast<double>(there.at(i, 3).z);
-      const double backward = static_cast<double>(g.at(i, 0)[j]) / static_cast<double>(back.at(i, 3).z);
-      const Bar::Inputs where = {{"case", i}, {"type", i % 3}, {"roughness", cases[i].roughness}};
-      // The reflectance of a metal is a difference of numbers near 1, and its index grows without bound
-      // towards F0 = 1.
-      const double f0 = cases[i].color[j];
-      const double slack = 2e-6 + (i % 3 == 1 ? 8.0 * u / f0 + 8.0 * u / (1.001 - f0) : 0.0);
-      // And the half vector of two that nearly cancel is known to a few units over its length.
-      const double half = glm::length(vec(there.at(i, 3)) - vec(there.at(i, 0)));
-      bar.near(forward, backward, (slack + 32.0 * u / half) * std::max(forward, backward), where);
-      positive.holds(f.at(i, 0)[j] >= 0.0F && std::isfinite(f.at(i, 0)[j]), f.at(i, 0)[j], 0.0, where);
-    }
 }
 
 TEST_P(Scatter, ExtremesGiveNumbers) {

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "tests/shadertoy/probe.h"
-#include "tests/shadertoy/statistics.h"
+#include "tests/shadertoy/random.h"
 
 namespace shadertwin {
 
