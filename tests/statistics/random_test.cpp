@@ -41,6 +41,7 @@ TEST_P(RandomNumbers, StayUniformForAYear) {
       const std::string name = "sample " + std::to_string(sample) + ", number " + std::to_string(j);
       expect_uniform(name, u[j], 4099);  // a prime: numbers of few bits miss some
       expect_uniform_pairs(name + " and the next", u[j], u[(j + 1) % 4]);
+      expect_uniform_pairs(name + " and the next but one", u[j], u[(j + 2) % 4]);
       expect_mean(name, u[j], 0.5, 0x1p-25);
     }
   }
@@ -56,6 +57,8 @@ TEST_P(RandomNumbers, NeighboursAreUncorrelated) {
     expect_uncorrelated(name + ", pixel to the right", here[j], right[j]);
     expect_uncorrelated(name + ", next sample", here[j], next_sample[j]);
     expect_uncorrelated(name + ", next dimension", here[j], next_dimension[j]);
+    expect_uncorrelated(name + ", pixel to the right and next sample", right[j], next_sample[j]);
+    expect_uncorrelated(name + ", next sample and next dimension", next_sample[j], next_dimension[j]);
     expect_uniform_pairs(name + ", with the pixel to the right", here[j], right[j]);
     expect_uniform_pairs(name + ", with the next sample", here[j], next_sample[j]);
     const std::span<const double> all(here[j]);
