@@ -14,7 +14,6 @@ class OrbitCamera : public OnEveryBackend {};
 SHADERTWIN_ON_EVERY_BACKEND(OrbitCamera);
 
 using std::numbers::pi;
-constexpr std::size_t million = std::size_t{1} << 20;
 constexpr double u = unit_roundoff;
 const Probe rays{.file = "camera_rays.glsl", .inputs = 6, .outputs = 5};
 const Probe vectors{.file = "orbit.glsl", .function = 0, .inputs = 2, .outputs = 4};

@@ -12,7 +12,6 @@ SHADERTWIN_ON_EVERY_BACKEND(HitQuad);
 class HitTriangle : public OnEveryBackend {};
 SHADERTWIN_ON_EVERY_BACKEND(HitTriangle);
 
-constexpr std::size_t million = std::size_t{1} << 20;
 constexpr double far = 1e18;
 constexpr double u = unit_roundoff;
 const Probe quad{.file = "intersect.glsl", .function = 2, .inputs = 5, .outputs = 2};

@@ -15,7 +15,6 @@ SHADERTWIN_ON_EVERY_BACKEND(Fresnel);
 class BeerLambert : public OnEveryBackend {};
 SHADERTWIN_ON_EVERY_BACKEND(BeerLambert);
 
-constexpr std::size_t million = std::size_t{1} << 20;
 const Probe reflectance{.file = "fresnel.glsl", .function = 0};
 const Probe absorption{.file = "fresnel.glsl", .function = 1};
 

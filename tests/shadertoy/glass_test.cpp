@@ -12,7 +12,6 @@ namespace {
 class Glass : public OnEveryBackend {};
 SHADERTWIN_ON_EVERY_BACKEND(Glass);
 
-constexpr std::size_t million = std::size_t{1} << 20;
 const Probe ball{.file = "glass.glsl", .inputs = 3, .outputs = 3};
 
 double degrees(double radians) {

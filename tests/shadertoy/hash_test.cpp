@@ -12,7 +12,6 @@ namespace {
 class Hash : public OnEveryBackend {};
 SHADERTWIN_ON_EVERY_BACKEND(Hash);
 
-constexpr std::size_t million = std::size_t{1} << 20;
 const Probe words{.file = "hash.glsl", .inputs = 2, .outputs = 3};
 const Probe numbers{.file = "random_numbers.glsl", .inputs = 1, .outputs = 1};
 

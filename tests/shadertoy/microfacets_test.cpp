@@ -12,7 +12,6 @@ class Microfacets : public OnEveryBackend {};
 SHADERTWIN_ON_EVERY_BACKEND(Microfacets);
 
 using std::numbers::pi;
-constexpr std::size_t million = std::size_t{1} << 20;
 const Probe terms{.file = "microfacets.glsl", .function = 0, .inputs = 2, .outputs = 3};
 const Probe metals{.file = "microfacets.glsl", .function = 1, .inputs = 2, .outputs = 3};
 const Probe samples{.file = "microfacets.glsl", .function = 2, .inputs = 2, .outputs = 3};

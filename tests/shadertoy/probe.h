@@ -26,6 +26,9 @@ struct Backend {
 // What this build can run on. The first one is the one the others are compared with.
 const std::vector<Backend>& backends();
 
+// How many cases most tables have.
+constexpr std::size_t million = std::size_t{1} << 20;
+
 // Cases by texels: `size` vec4 for each case.
 class Table {
  public:

@@ -13,7 +13,6 @@ class Scatter : public OnEveryBackend {};
 SHADERTWIN_ON_EVERY_BACKEND(Scatter);
 
 using std::numbers::pi;
-constexpr std::size_t million = std::size_t{1} << 20;
 constexpr double u = unit_roundoff;
 using namespace scattering;  // NOLINT(google-build-using-namespace)
 

@@ -13,7 +13,6 @@ SHADERTWIN_ON_EVERY_BACKEND(HitSphere);
 class HitMovingSphere : public OnEveryBackend {};
 SHADERTWIN_ON_EVERY_BACKEND(HitMovingSphere);
 
-constexpr std::size_t million = std::size_t{1} << 20;
 constexpr double far = 1e18;
 constexpr double u = unit_roundoff;
 const Probe sphere{.file = "intersect.glsl", .function = 0, .inputs = 5, .outputs = 2};

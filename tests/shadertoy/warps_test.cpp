@@ -5,6 +5,7 @@
 
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/random.h"
+#include "tests/shadertoy/warps.h"
 
 namespace shadertwin {
 namespace {
@@ -14,12 +15,7 @@ SHADERTWIN_ON_EVERY_BACKEND(Warps);
 
 using std::numbers::pi;
 
-constexpr std::size_t million = std::size_t{1} << 20;
-const Probe disk{.file = "warps.glsl", .function = 0};
-const Probe unit_vector{.file = "warps.glsl", .function = 1};
-const Probe ball{.file = "warps.glsl", .function = 2};
 const Probe turn{.file = "warps.glsl", .function = 3};
-const Probe hemisphere{.file = "hemisphere.glsl", .inputs = 2, .outputs = 3};
 
 // 2^16 points of the unit square, its corners, sides and quarters among them.
 Table grid_inputs(int size = 1) {
@@ -54,7 +50,7 @@ TEST_P(Warps, SineAndCosineOfATurnAreWithinTwoUnits) {
 
 TEST_P(Warps, DiskFollowsItsDefinitionAtEveryCorner) {
   const Table inputs = grid_inputs();
-  const Table got = run(disk, inputs);
+  const Table got = run(warps::disk, inputs);
   Bar bar("sampleDisk, absolute error");
   for (std::size_t i = 0; i < inputs.cases(); ++i) {
     const auto u = static_cast<double>(inputs.at(i, 0).x);
@@ -68,7 +64,7 @@ TEST_P(Warps, DiskFollowsItsDefinitionAtEveryCorner) {
 
 TEST_P(Warps, UnitVectorsHaveUnitLengthAtEveryCorner) {
   const Table inputs = grid_inputs();
-  const Table got = run(unit_vector, inputs);
+  const Table got = run(warps::unit_vector, inputs);
   Bar bar("sampleUnitVector, length");
   for (std::size_t i = 0; i < inputs.cases(); ++i)
     bar.near(length(got.at(i, 0)), 1.0, 4.0 * unit_roundoff,
@@ -77,7 +73,7 @@ TEST_P(Warps, UnitVectorsHaveUnitLengthAtEveryCorner) {
 
 TEST_P(Warps, BallStaysInsideAndFiniteAtEveryCorner) {
   const Table inputs = grid_inputs();
-  const Table got = run(ball, inputs);
+  const Table got = run(warps::ball, inputs);
   Bar bar("sampleBall, radius");
   for (std::size_t i = 0; i < inputs.cases(); ++i) {
     const auto u = static_cast<double>(inputs.at(i, 0).z);
@@ -104,7 +100,7 @@ TEST_P(Warps, CosineHemisphereStaysOnItsSideForEveryNormalAndCorner) {
   for (const glm::vec3& normal : all) {
     Table inputs = grid_inputs(2);
     for (std::size_t i = 0; i < inputs.cases(); ++i) inputs.at(i, 1) = glm::vec4(normal, 0);
-    const Table got = run(hemisphere, inputs);
+    const Table got = run(warps::hemisphere, inputs);
     const glm::dvec3 n(normal);
     for (std::size_t i = 0; i < inputs.cases(); ++i) {
       const Bar::Inputs where = {
@@ -135,7 +131,7 @@ TEST_P(Warps, BasisIsOrthonormalAndRightHandedForRandomNormals) {
                        random.sign() * random.log_uniform(1e-8, 1.0));
     inputs.at(i, 1) = glm::vec4(glm::normalize(v), 0);
   }
-  const Table got = run(hemisphere, inputs);
+  const Table got = run(warps::hemisphere, inputs);
   Bar bar("basisAround, orthonormality of random normals");
   for (std::size_t i = 0; i < million; ++i) {
     const glm::dvec3 n(inputs.at(i, 1));

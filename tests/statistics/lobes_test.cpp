@@ -12,7 +12,6 @@ SHADERTWIN_STATISTICS(Lobes);
 
 using std::numbers::pi;
 using namespace scattering;  // NOLINT(google-build-using-namespace)
-constexpr std::size_t million = std::size_t{1} << 20;
 constexpr double u = unit_roundoff;
 const Probe samples{.file = "microfacets.glsl", .function = 2, .inputs = 2, .outputs = 3};
 
@@ -31,21 +30,21 @@ TEST_P(Lobes, VisibleNormalsFollowTheirDistribution) {
       const glm::dvec3 v = glm::normalize(glm::dvec3(inputs.at(0, 0)));
       const auto a = static_cast<double>(inputs.at(0, 0).w);
       const glm::dvec3 view = glm::normalize(glm::dvec3(a * v.x, a * v.y, v.z));
-      std::vector<double> height;
-      std::vector<double> turn;
-      std::vector<double> ndf;
-      std::vector<double> ndf_turn;
-      for (std::size_t i = 0; i < count; ++i) {
-        const glm::dvec3 h(got.at(i, 0));
+      const auto mirrored = [&](const glm::dvec4& h) {
         const glm::dvec3 s = glm::normalize(glm::dvec3(h.x / a, h.y / a, h.z));
-        const glm::dvec3 c = 2.0 * glm::dot(s, view) * s - view;
-        height.push_back(std::clamp((c.z + view.z) / (1.0 + view.z), 0.0, 1.0));
-        turn.push_back(std::atan2(c.y, c.x) / (2.0 * pi) + 0.5);
-        const glm::dvec3 m(got.at(i, 1));
+        return 2.0 * glm::dot(s, view) * s - view;
+      };
+      const auto turn_of = [](const auto& m) { return std::atan2(m.y, m.x) / (2.0 * pi) + 0.5; };
+      const auto height = column(got, [&](const auto& h) {
+        return std::clamp((mirrored(h).z + view.z) / (1.0 + view.z), 0.0, 1.0);
+      });
+      const auto turn = column(got, [&](const auto& h) { return turn_of(mirrored(h)); });
+      const auto any_normal = [&](const auto& m) {
         const double tangent2 = (m.x * m.x + m.y * m.y) / (m.z * m.z);
-        ndf.push_back(tangent2 / (a * a + tangent2));
-        ndf_turn.push_back(std::atan2(m.y, m.x) / (2.0 * pi) + 0.5);
-      }
+        return tangent2 / (a * a + tangent2);
+      };
+      const auto ndf = column(got, any_normal, 1);
+      const auto ndf_turn = column(got, turn_of, 1);
       const std::string name = "alpha " + std::to_string(alpha) + ", cosine " + std::to_string(mu);
       expect_uniform("visible normals, " + name, height, 256);
       expect_uniform("angle of visible normals, " + name, turn, 256);

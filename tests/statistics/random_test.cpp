@@ -10,7 +10,6 @@ namespace {
 
 SHADERTWIN_STATISTICS(RandomNumbers);
 
-constexpr std::size_t million = std::size_t{1} << 20;
 const Probe numbers{.file = "random_numbers.glsl", .inputs = 1, .outputs = 1};
 
 // A block of pixels at a sample and a dimension.
@@ -25,8 +24,7 @@ Table stream_keys(int first_x, std::uint32_t sample, std::uint32_t dimension) {
 std::array<std::vector<double>, 4> columns(const Table& table) {
   std::array<std::vector<double>, 4> result;
   for (int j = 0; j < 4; ++j)
-    for (std::size_t i = 0; i < table.cases(); ++i)
-      result[static_cast<std::size_t>(j)].push_back(static_cast<double>(table.at(i, 0)[j]));
+    result[static_cast<std::size_t>(j)] = column(table, [j](const auto& drawn) { return drawn[j]; });
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "tests/shadertoy/shapes.h"
+#include "tests/shadertoy/warps.h"
 #include "tests/statistics/statistics.h"
 
 namespace shadertwin {
@@ -12,11 +13,6 @@ SHADERTWIN_STATISTICS(Samplers);
 
 using std::numbers::pi;
 
-constexpr std::size_t million = std::size_t{1} << 20;
-const Probe disk{.file = "warps.glsl", .function = 0};
-const Probe unit_vector{.file = "warps.glsl", .function = 1};
-const Probe ball{.file = "warps.glsl", .function = 2};
-const Probe hemisphere{.file = "hemisphere.glsl", .inputs = 2, .outputs = 3};
 const Probe rays{.file = "camera_rays.glsl", .inputs = 6, .outputs = 5};
 const Probe lights{.file = "lights.glsl", .inputs = 5, .outputs = 3};
 
@@ -34,60 +30,45 @@ double turn_of(double y, double x) {
   return std::min(t < 0.0 ? t + 1.0 : t, 1.0 - 1e-12);
 }
 
+// The azimuth over a turn.
+double turn_around_z(const glm::dvec4& p) {
+  return turn_of(p.y, p.x);
+}
+
 TEST_P(Samplers, DiskIsUniform) {
-  const Table got = run(disk, random_inputs(11));
-  std::vector<double> r2;
-  std::vector<double> phi;
-  std::vector<double> x2;
-  for (std::size_t i = 0; i < million; ++i) {
-    const auto x = static_cast<double>(got.at(i, 0).x);
-    const auto y = static_cast<double>(got.at(i, 0).y);
-    r2.push_back(std::min(x * x + y * y, 1.0));
-    phi.push_back(turn_of(y, x));
-    x2.push_back(x * x);
-  }
+  const Table got = run(warps::disk, random_inputs(11));
+  const auto r2 = column(got, [](const auto& p) { return std::min(p.x * p.x + p.y * p.y, 1.0); });
+  const auto phi = column(got, turn_around_z);
   expect_uniform("r^2", r2);
   expect_uniform("angle", phi);
   expect_uniform_pairs("r^2 and angle", r2, phi);
-  expect_mean("x^2", x2, 0.25, 1e-7);
+  expect_mean("x^2", column(got, [](const auto& p) { return p.x * p.x; }), 0.25, 1e-7);
 }
 
 TEST_P(Samplers, UnitVectorsAreUniformOnTheSphere) {
-  const Table got = run(unit_vector, random_inputs(12));
-  std::vector<double> z;
-  std::vector<double> phi;
-  std::vector<double> z2;
-  for (std::size_t i = 0; i < million; ++i) {
-    const glm::dvec3 d(got.at(i, 0));
-    z.push_back(std::clamp(0.5 * (d.z + 1.0), 0.0, 1.0));
-    phi.push_back(turn_of(d.y, d.x));
-    z2.push_back(d.z * d.z);
-  }
+  const Table got = run(warps::unit_vector, random_inputs(12));
+  const auto z = column(got, [](const auto& d) { return std::clamp(0.5 * (d.z + 1.0), 0.0, 1.0); });
+  const auto phi = column(got, turn_around_z);
   expect_uniform("height", z);
   expect_uniform("angle", phi);
   expect_uniform_pairs("height and angle", z, phi);
-  expect_mean("z^2", z2, 1.0 / 3.0, 1e-7);
+  expect_mean("z^2", column(got, [](const auto& d) { return d.z * d.z; }), 1.0 / 3.0, 1e-7);
 }
 
 TEST_P(Samplers, BallIsUniform) {
-  const Table got = run(ball, random_inputs(13));
-  std::vector<double> r3;
-  std::vector<double> z;
-  std::vector<double> phi;
-  std::vector<double> r2;
-  for (std::size_t i = 0; i < million; ++i) {
-    const glm::dvec3 p(got.at(i, 0));
-    const double r = glm::length(p);
-    r3.push_back(std::min(r * r * r, 1.0));
-    r2.push_back(r * r);
-    z.push_back(r > 0.0 ? std::clamp(0.5 * (p.z / r + 1.0), 0.0, 1.0) : 0.5);
-    phi.push_back(turn_of(p.y, p.x));
-  }
+  const Table got = run(warps::ball, random_inputs(13));
+  const auto radius = [](const glm::dvec4& p) { return glm::length(glm::dvec3(p)); };
+  const auto r3 =
+      column(got, [&](const auto& p) { return std::min(radius(p) * radius(p) * radius(p), 1.0); });
+  const auto z = column(got, [&](const auto& p) {
+    const double r = radius(p);
+    return r > 0.0 ? std::clamp(0.5 * (p.z / r + 1.0), 0.0, 1.0) : 0.5;
+  });
   expect_uniform("r^3", r3);
   expect_uniform("height", z);
-  expect_uniform("angle", phi);
+  expect_uniform("angle", column(got, turn_around_z));
   expect_uniform_pairs("r^3 and height", r3, z);
-  expect_mean("r^2", r2, 0.6, 1e-6);
+  expect_mean("r^2", column(got, [&](const auto& p) { return radius(p) * radius(p); }), 0.6, 1e-6);
 }
 
 TEST_P(Samplers, CosineHemisphereHasTheDensityOfTheCosine) {
@@ -96,7 +77,7 @@ TEST_P(Samplers, CosineHemisphereHasTheDensityOfTheCosine) {
   for (std::size_t k = 0; k < all.size(); ++k) {
     Table inputs = random_inputs(14 + k, 2);
     for (std::size_t i = 0; i < million; ++i) inputs.at(i, 1) = glm::vec4(all[k], 0);
-    const Table got = run(hemisphere, inputs);
+    const Table got = run(warps::hemisphere, inputs);
     const glm::dvec3 n(all[k]);
     std::vector<double> cosine;
     std::vector<double> cosine2;
@@ -128,15 +109,9 @@ TEST_P(Samplers, LensIsADiskAndTheShutterIsEven) {
     inputs.at(i, 5) = texel({random.uniform(), random.uniform(), random.uniform()});
   }
   const Table got = run(rays, inputs);
-  std::vector<double> r2;
-  std::vector<double> phi;
-  std::vector<double> time;
-  for (std::size_t i = 0; i < inputs.cases(); ++i) {
-    const glm::dvec4 o(got.at(i, 0));
-    r2.push_back(std::min((o.x * o.x + o.y * o.y) / 4.0, 1.0));
-    phi.push_back(turn_of(o.y, o.x));
-    time.push_back(0.5 * (o.w - 1.0));
-  }
+  const auto r2 = column(got, [](const auto& o) { return std::min((o.x * o.x + o.y * o.y) / 4.0, 1.0); });
+  const auto phi = column(got, turn_around_z);
+  const auto time = column(got, [](const auto& o) { return 0.5 * (o.w - 1.0); });
   expect_uniform("lens, r^2", r2);
   expect_uniform("lens, angle", phi);
   expect_uniform_pairs("lens, r^2 and angle", r2, phi);
@@ -160,13 +135,13 @@ TEST_P(Samplers, PointsOfALightAreEven) {
     const Table got = run(lights, inputs);
     // Coordinates along the edges, from areas.
     const glm::dvec3 n = glm::cross(e1, e2);
-    std::vector<double> along1;
-    std::vector<double> along2;
-    for (std::size_t i = 0; i < inputs.cases(); ++i) {
-      const glm::dvec3 p = glm::dvec3(got.at(i, 0)) - corner;
-      along1.push_back(std::clamp(glm::dot(glm::cross(p, e2), n) / glm::dot(n, n), 0.0, 1.0));
-      along2.push_back(std::clamp(glm::dot(glm::cross(e1, p), n) / glm::dot(n, n), 0.0, 1.0));
-    }
+    const auto along = [&](const glm::dvec3& area) {
+      return std::clamp(glm::dot(area, n) / glm::dot(n, n), 0.0, 1.0);
+    };
+    const auto along1 =
+        column(got, [&](const auto& p) { return along(glm::cross(glm::dvec3(p) - corner, e2)); });
+    const auto along2 =
+        column(got, [&](const auto& p) { return along(glm::cross(e1, glm::dvec3(p) - corner)); });
     expect_uniform_pairs("light " + std::to_string(number++), along1, along2);
   }
 }

@@ -59,6 +59,14 @@ void expect_uniform(const std::string& fact, std::span<const double> values, int
 void expect_uniform_pairs(const std::string& fact, std::span<const double> xs, std::span<const double> ys,
                           int cells = 64);
 
+// What `of`, called with a texel of each case's results as a glm::dvec4, makes of it.
+template <class Of>
+std::vector<double> column(const Table& results, Of of, int texel = 0) {
+  std::vector<double> values(results.cases());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = of(glm::dvec4(results.at(i, texel)));
+  return values;
+}
+
 struct Mean {
   double value = 0.0;
   double sigma = 0.0;  // standard error of value
