@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <glm/gtc/packing.hpp>
 #include <regex>
 #include <set>
 
@@ -62,6 +63,35 @@ TEST_P(Pictures, SpecialisedAndGeneralBuildsGiveTheSameBits) {
                 {"y", static_cast<double>(i / 96)},
                 {"channel", static_cast<double>(i % 4)}});
   }
+}
+
+// The same paths, but for those that rounding sends to another side of an edge.
+TEST_P(Pictures, TwoTrianglesAreTheParallelogram) {
+  Take take{
+      .file = shader, .width = 48, .height = 27, .frames = 1, .defines = {{"SCENE", "4"}}, .pass = "P3D_RT"};
+  const Image quads = play(take);
+  take.defines.emplace_back("QUAD_TEST", "1");
+  const Image triangles = play(take);
+  std::size_t apart = 0;
+  for (std::size_t i = 0; i < quads.rgba.size(); ++i)
+    if (std::abs(triangles.rgba[i] - quads.rgba[i]) > 1e-3F * std::max(quads.rgba[i], 0.1F)) ++apart;
+  EXPECT_LE(apart, quads.rgba.size() / 500) << "of " << quads.rgba.size() << " numbers";
+}
+
+TEST_P(Pictures, BuffersOfHalvesHoldHalves) {
+  Take take{
+      .file = shader, .width = 24, .height = 14, .frames = 3, .defines = {{"SCENE", "1"}}, .pass = "P3D_RT"};
+  const Image full = play(take);
+  take.defines.emplace_back("BUFFER_FORMAT", "1");
+  const Image halves = play(take);
+  Bar bar("buffer of half floats against one of floats");
+  for (std::size_t i = 0; i < full.rgba.size(); ++i) {
+    EXPECT_EQ(glm::unpackHalf1x16(glm::packHalf1x16(halves.rgba[i])), halves.rgba[i]);
+    const auto value = static_cast<double>(full.rgba[i]);
+    // Rounded after every frame; below 2^-14 halves are 2^-24 apart.
+    bar.near(halves.rgba[i], value, 3.0 * std::max(0x1p-11 * value, 0x1p-24), {{"number", i}});
+  }
+  EXPECT_NE(full.rgba, halves.rgba);
 }
 
 // Every `#if NAME < low || NAME > high` of the shader is a knob.
