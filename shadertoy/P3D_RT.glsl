@@ -126,7 +126,7 @@
 
 HitRecord noHit()
 {
-    return HitRecord(vec3(0.0), vec3(0.0, 1.0, 0.0), FAR, createDiffuseMaterial(vec3(0.0)), -1);
+    return HitRecord(vec3(0.0), vec3(0.0, 1.0, 0.0), FAR, 0.0, createDiffuseMaterial(vec3(0.0)), -1);
 }
 
 #if defined(HAS_POINT_LIGHTS) && POINT_LIGHTS == 0
@@ -154,46 +154,55 @@ bool hit_sceneQuad(Quad quad, Ray r, float tmin, float tmax, inout HitRecord rec
 #endif
 }
 
+float sceneQuadRoot(Quad quad, Ray r, float tmin, float tmax)
+{
+#if QUAD_TEST == 0
+    return quadRoot(quad, r, tmin, tmax);
+#else
+    HitRecord rec = noHit();
+    return hit_sceneQuad(quad, r, tmin, tmax, rec) ? rec.t : tmax;
+#endif
+}
+
 // The nearest hit with tmin < t < tmax. rec stays as it was when there is none. Primitives are numbered: quads (lights
-// last), spheres, then those of the scene's own structure.
+// last), spheres, then those of the scene's own structure. Position and normal are only worked out for the nearest.
 bool hit_world(Ray r, float tmin, float tmax, inout HitRecord rec)
 {
     int nearest = -1;
     float t = tmax;
     for (int i = 0; i < COUNT(QUADS); i++) {
-        if (hit_sceneQuad(scene_quad(i), r, tmin, t, rec)) {
+        float ti = sceneQuadRoot(scene_quad(i), r, tmin, t);
+        if (ti < t) {
+            t = ti;
             nearest = i;
-            t = rec.t;
         }
     }
-
-    // Roots first: position and normal are only worked out for the nearest.
-    int sphere = -1;
     for (int i = 0; i < COUNT(SPHERES); i++) {
         vec4 s = OPAQUE(SPHERE[i]);
         float ti = sphereRoot(r.o - s.xyz, r.d, s.w, tmin, t);
         if (ti < t) {
             t = ti;
-            sphere = i;
+            nearest = QUADS + i;
         }
     }
-    if (sphere >= 0) {
-        vec4 s = SPHERE[sphere];
-        hit_sphere(createSphere(s.xyz, s.w), r, tmin, tmax, rec);
-        nearest = QUADS + sphere;
-    }
-
 #ifdef HAS_SMALL_SPHERES
     int cell = nearestSmallSphere(r, tmin, t);
-    if (cell >= 0) {
-        hit_movingSphere(smallSphere(cell), r, tmin, tmax, rec);
-        nearest = QUADS + SPHERES + cell;
-    }
+    nearest = cell < 0 ? nearest : QUADS + SPHERES + cell;
 #endif
 
     if (nearest < 0) {
         return false;
+    } else if (nearest < COUNT(QUADS)) {
+        hit_sceneQuad(scene_quad(nearest), r, tmin, tmax, rec);
+    } else if (nearest < COUNT(QUADS + SPHERES)) {
+        vec4 s = SPHERE[nearest - QUADS];
+        hit_sphere(createSphere(s.xyz, s.w), r, tmin, tmax, rec);
     }
+#ifdef HAS_SMALL_SPHERES
+    if (cell >= 0) {
+        hit_movingSphere(smallSphere(cell), r, tmin, tmax, rec);
+    }
+#endif
     rec.material = scene_material(nearest, rec.pos);
     rec.light = nearest < QUADS ? nearest - (QUADS - QUAD_LIGHTS) : -1;
     return true;
@@ -215,14 +224,14 @@ vec3 background(vec3 d)
 #endif
 }
 
-// True when nothing stands on the segment between p and q. Both ends are moved off their surfaces; a point without a
+// True when nothing stands on the segment from a hit to q. Both ends are moved off their surfaces; a point without a
 // surface (a point light) passes a zero normal.
-bool visible(vec3 p, vec3 pNormal, vec3 q, vec3 qNormal, float time)
+bool visible(HitRecord rec, vec3 q, vec3 qNormal, float time)
 {
-    vec3 toQ = q - p;
-    vec3 from = offsetPoint(p, dot(toQ, pNormal) < 0.0 ? -pNormal : pNormal);
-    vec3 to = offsetPoint(q, dot(toQ, qNormal) > 0.0 ? -qNormal : qNormal);
-    vec3 segment = to - from;
+    vec3 toQ = q - rec.pos;
+    vec3 from = spawnRay(rec, toQ, time).o;
+    float error = ROUNDINGS * dot(abs(qNormal), abs(q) + abs(toQ));
+    vec3 segment = offsetPoint(q, dot(toQ, qNormal) > 0.0 ? -qNormal : qNormal, error) - from;
     float reach = length(segment);
     Ray shadow = createRay(from, segment / reach, time);
     HitRecord blocker = noHit();
@@ -284,7 +293,7 @@ vec3 directlighting(PointLight pl, Ray r, HitRecord rec)
     float distance2 = max(dot(toLight, toLight), 1.0e-12);
     vec3 l = directionOr(toLight, n);
     float NoL = dot(n, l);
-    if (!(NoL > 0.0) || !visible(rec.pos, rec.normal, pl.pos, vec3(0.0), r.time)) {
+    if (!(NoL > 0.0) || !visible(rec, pl.pos, vec3(0.0), r.time)) {
         return vec3(0.0);
     }
 #if LIGHT_MODEL == 0
@@ -313,7 +322,7 @@ vec3 directlighting(QuadLight ql, Ray r, HitRecord rec, vec2 xi)
     float pdf = pdfQuadLight(ql, toLight);
     vec3 l = directionOr(toLight, n);
     float NoL = dot(n, l);
-    if (!(NoL > 0.0 && pdf > 0.0) || !visible(rec.pos, rec.normal, target, ql.normal, r.time)) {
+    if (!(NoL > 0.0 && pdf > 0.0) || !visible(rec, target, ql.normal, r.time)) {
         return vec3(0.0);
     }
     vec3 radiance = ql.color / pdf;

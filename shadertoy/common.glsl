@@ -21,8 +21,9 @@
 #define FRESNEL 0
 #endif
 
-// Where a spawned ray starts. 0: the next floats along the normal (Waechter and Binder), never hits its own surface.
-// 1: 0.001 along the normal (the report's assignment), cheaper, fails away from unit scale.
+// Where a spawned ray starts. 0: off the surface by the bound of the hit's rounding error: never hits its own surface,
+// at any scale. 1: 0.001 along the normal (the report's assignment), cheaper, fails away from unit scale. 2: the next
+// floats (Waechter and Binder), cheap as well; large shapes near the origin, such as a ball for a ground, hit themselves.
 #ifndef OFFSET_SCHEME
 #define OFFSET_SCHEME 0
 #endif
@@ -91,8 +92,8 @@
 #if FRESNEL < 0 || FRESNEL > 2
 #error FRESNEL is 0 (exact), 1 (Schlick) or 2 (Schlick with the incident cosine)
 #endif
-#if OFFSET_SCHEME < 0 || OFFSET_SCHEME > 1
-#error OFFSET_SCHEME is 0 (next floats) or 1 (fixed)
+#if OFFSET_SCHEME < 0 || OFFSET_SCHEME > 2
+#error OFFSET_SCHEME is 0 (error bound), 1 (fixed) or 2 (next floats)
 #endif
 #if SPHERE_ROOT < 0 || SPHERE_ROOT > 1
 #error SPHERE_ROOT is 0 (closest approach) or 1 (textbook)
@@ -426,11 +427,16 @@ vec3 pointOnRay(Ray r, float t)
     return r.o + t * r.d;
 }
 
-// Waechter and Binder 2019 (Ray Tracing Gems, chapter 6): p moved off its surface towards the side that n points to,
-// by a count of floats away from the origin, by 1/65536 of n near it.
-vec3 offsetPoint(vec3 p, vec3 n)
+// p moved off its surface towards the side that n points to. error bounds how far p may stand from the surface.
+vec3 offsetPoint(vec3 p, vec3 n, float error)
 {
 #if OFFSET_SCHEME == 0
+    return p + error * n;
+#elif OFFSET_SCHEME == 1
+    return p + 0.001 * n;
+#else
+    // Waechter and Binder 2019 (Ray Tracing Gems, chapter 6): by a count of floats away from the origin, by 1/65536 of
+    // n near it.
     ivec3 steps = ivec3(256.0 * n);
     ivec3 bits = floatBitsToInt(p);
     vec3 far = intBitsToFloat(ivec3(p.x < 0.0 ? bits.x - steps.x : bits.x + steps.x,
@@ -439,24 +445,15 @@ vec3 offsetPoint(vec3 p, vec3 n)
     vec3 near = p + 1.52587891e-5 * n;
     return vec3(abs(p.x) < 0.03125 ? near.x : far.x, abs(p.y) < 0.03125 ? near.y : far.y,
                 abs(p.z) < 0.03125 ? near.z : far.z);
-#else
-    return p + 0.001 * n;
 #endif
 }
 
 // The nearest t that counts as a hit.
-#if OFFSET_SCHEME == 0
-#define T_MIN 0.0
-#else
+#if OFFSET_SCHEME == 1
 #define T_MIN 0.001
+#else
+#define T_MIN 0.0
 #endif
-
-// A ray that leaves p on the side of its surface that d points to.
-Ray spawnRay(vec3 p, vec3 normal, vec3 d, float time)
-{
-    vec3 side = dot(d, normal) < 0.0 ? -normal : normal;
-    return Ray(offsetPoint(p, side), d, p, time);
-}
 
 struct Camera {
     vec3 eye;
@@ -598,9 +595,20 @@ struct HitRecord {
     vec3 pos;
     vec3 normal;  // outwards, of unit length; a negative radius turns it inwards
     float t;
+    float error;  // how far pos may stand from the surface, and a ray from pos see it
     Material material;
     int light;  // number of the quad light that was hit, or -1
 };
+
+// Eight roundings: bounds a few sums and products when multiplied by the sizes of what they add up.
+#define ROUNDINGS 4.76837158e-7
+
+// A ray that leaves a hit on the side of its surface that d points to.
+Ray spawnRay(HitRecord rec, vec3 d, float time)
+{
+    vec3 side = dot(d, rec.normal) < 0.0 ? -rec.normal : rec.normal;
+    return Ray(offsetPoint(rec.pos, side, rec.error), d, rec.pos, time);
+}
 
 //-------------------------------------------------------------------------------
 // Fresnel
@@ -1101,7 +1109,7 @@ bool scatter(Ray rIn, HitRecord rec, vec4 xi, inout vec3 attenuation, inout Ray 
     if (m.type == METAL) {
         vec3 d = fuzz(reflect(rIn.d, normal), m.roughness, xi.xyw);
         attenuation = m.specColor;
-        rScattered = spawnRay(rec.pos, rec.normal, d, rIn.time);
+        rScattered = spawnRay(rec, d, rIn.time);
         return dot(d, normal) > 0.0;
     }
 #endif
@@ -1121,7 +1129,7 @@ bool scatter(Ray rIn, HitRecord rec, vec4 xi, inout vec3 attenuation, inout Ray 
         float side = dot(d, normal);
         d = (reflects ? side > 0.0 : side < 0.0) ? d : perfect;
         attenuation = inside ? transmittance(m.refractColor, distance(rec.pos, rIn.from)) : vec3(1.0);
-        rScattered = spawnRay(rec.pos, rec.normal, d, rIn.time);
+        rScattered = spawnRay(rec, d, rIn.time);
         return true;
     }
 #endif
@@ -1161,7 +1169,7 @@ bool scatter(Ray rIn, HitRecord rec, vec4 xi, inout vec3 attenuation, inout Ray 
             vec3 F = m.type == PLASTIC ? F_Schlick(m.specColor, v.z) : fresnelMetal(m.specColor, m.edgeColor, v.z);
             attenuation = F / gloss;
         }
-        rScattered = spawnRay(rec.pos, rec.normal, normalize(toWorld(basis, l)), rIn.time);
+        rScattered = spawnRay(rec, normalize(toWorld(basis, l)), rIn.time);
         return l.z > 0.0;
     }
 #endif
@@ -1169,7 +1177,7 @@ bool scatter(Ray rIn, HitRecord rec, vec4 xi, inout vec3 attenuation, inout Ray 
     vec3 d = sampleCosineHemisphere(normal, xi.xy);
     float NoL = max(dot(normal, d), 0.0);
     attenuation = diffuseAttenuation(m.albedo, NoL);
-    rScattered = spawnRay(rec.pos, rec.normal, d, rIn.time);
+    rScattered = spawnRay(rec, d, rIn.time);
     pdf = NoL * INV_PI;
     return pdf > 0.0;
 }
@@ -1194,9 +1202,9 @@ Triangle createTriangle(vec3 a, vec3 b, vec3 c)
 // edge, and no ray slips between. Edges belong to both neighbours; a ray through one takes the first that it is given.
 bool hit_triangle(Triangle tri, Ray r, float tmin, float tmax, inout HitRecord rec)
 {
-    vec3 size = abs(r.d);
-    bool zLongest = size.z >= size.x && size.z >= size.y;
-    bool yLongest = !zLongest && size.y >= size.x;
+    vec3 along = abs(r.d);
+    bool zLongest = along.z >= along.x && along.z >= along.y;
+    bool yLongest = !zLongest && along.y >= along.x;
     vec3 a = tri.a - r.o;
     vec3 b = tri.b - r.o;
     vec3 c = tri.c - r.o;
@@ -1228,13 +1236,17 @@ bool hit_triangle(Triangle tri, Ray r, float tmin, float tmax, inout HitRecord r
     if (!(t > tmin && t < tmax)) {
         return false;
     }
-    vec3 normal = cross(tri.b - tri.a, tri.c - tri.a);
+    vec3 edge1 = tri.b - tri.a;
+    vec3 edge2 = tri.c - tri.a;
+    vec3 normal = cross(edge1, edge2);
     if (dot(normal, normal) == 0.0) {
         return false;
     }
     rec.t = t;
-    rec.pos = pointOnRay(r, t);
+    rec.pos = ((u / det) * tri.a + (v / det) * tri.b) + (w / det) * tri.c;
     rec.normal = normalize(normal);
+    // The rounding of the plane, and that of a t worked out along another axis.
+    rec.error = ROUNDINGS * (max3(max(abs(edge1), abs(edge2))) + dot(abs(rec.normal), abs(rec.pos)));
     return true;
 }
 
@@ -1250,15 +1262,15 @@ Quad createQuad(vec3 corner, vec3 edge1, vec3 edge2)
     return Quad(corner, edge1, edge2);
 }
 
-// One plane, one pair of coordinates in [0, 1] along the edges: no diagonal, so no crack. The dual edges fold to
-// constants when the quad is one. The hit is moved back into the plane.
-bool hit_quad(Quad quad, Ray r, float tmin, float tmax, inout HitRecord rec)
+// The t in (tmin, tmax) of a hit, or tmax when there is none. One plane, one pair of coordinates in [0, 1] along the
+// edges: no diagonal, so no crack. The dual edges fold to constants when the quad is one.
+float quadRoot(Quad quad, Ray r, float tmin, float tmax)
 {
     vec3 n = cross(quad.edge1, quad.edge2);
     float n2 = dot(n, n);
     float slope = dot(r.d, n);
     if (slope == 0.0 || n2 == 0.0) {
-        return false;
+        return tmax;
     }
     vec3 toOrigin = r.o - quad.corner;
     float t = -dot(toOrigin, n) / slope;
@@ -1268,12 +1280,22 @@ bool hit_quad(Quad quad, Ray r, float tmin, float tmax, inout HitRecord rec)
     float a = dot(p, dual1);
     float b = dot(p, dual2);
     bool within = a >= 0.0 && a <= 1.0 && b >= 0.0 && b <= 1.0;
-    if (!(within && t > tmin && t < tmax)) {
+    return within && t > tmin && t < tmax ? t : tmax;
+}
+
+// The hit is moved back into the plane.
+bool hit_quad(Quad quad, Ray r, float tmin, float tmax, inout HitRecord rec)
+{
+    float t = quadRoot(quad, r, tmin, tmax);
+    if (!(t < tmax)) {
         return false;
     }
+    vec3 n = cross(quad.edge1, quad.edge2);
+    vec3 p = (r.o - quad.corner) + t * r.d;
     rec.t = t;
-    rec.normal = n / sqrt(n2);
+    rec.normal = n / sqrt(dot(n, n));
     rec.pos = quad.corner + (p - dot(p, rec.normal) * rec.normal);
+    rec.error = ROUNDINGS * dot(abs(rec.normal), abs(quad.corner) + abs(p));
     return true;
 }
 
@@ -1352,6 +1374,7 @@ bool hit_sphere(Sphere s, Ray r, float tmin, float tmax, inout HitRecord rec)
 #else
     rec.normal = n;
 #endif
+    rec.error = ROUNDINGS * (dot(abs(n), abs(s.center)) + abs(s.radius));
     return true;
 }
 

@@ -10,7 +10,7 @@ void probe(uint index, vec4 x[INPUTS], inout vec4 y[OUTPUTS])
     vec3 n = vec3(0.0, 0.6, 0.8);
     vec3 d = vec3(sine, -0.6 * x[0].z, -0.8 * x[0].z);
     Ray ray = createRay(-5.0 * d, normalize(d), 0.0);
-    HitRecord rec = HitRecord(vec3(0.0), n, 5.0, m, -1);
+    HitRecord rec = HitRecord(vec3(0.0), n, 5.0, 1.0e-6, m, -1);
     vec3 sum = vec3(0.0);
     vec3 squares = vec3(0.0);
     vec3 rest = vec3(0.0, 0.0, 1.0e30);

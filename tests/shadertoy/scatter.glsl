@@ -12,7 +12,7 @@ void probe(uint index, vec4 x[INPUTS], inout vec4 y[OUTPUTS])
     vec3 pos = vec3(1.0, 2.0, 3.0);
     if (iFrame == 0) {
         Ray ray = createRay(x[5].xyz, d, 0.25);
-        HitRecord rec = HitRecord(pos, x[1].xyz, 1.0, m, -1);
+        HitRecord rec = HitRecord(pos, x[1].xyz, 1.0, 1.0e-6, m, -1);
         vec3 attenuation = vec3(0.0);
         Ray next = ray;
         float pdf = -1.0;

@@ -13,9 +13,10 @@ void probe(uint index, vec4 x[INPUTS], inout vec4 y[OUTPUTS])
     vec3 p = x[0].xyz;
     vec3 up = vec3(0.0, 1.0, 0.0);
     PointLight light = scene_pointLight(0);
-    bool open = visible(p, up, light.pos, vec3(0.0), x[0].w);
+    HitRecord floor = HitRecord(p, up, 1.0, 1.0e-5, createDiffuseMaterial(vec3(1.0)), -1);
+    bool open = visible(floor, light.pos, vec3(0.0), x[0].w);
 
-    vec3 from = offsetPoint(p, up);
+    vec3 from = spawnRay(floor, up, 0.0).o;
     float reach = distance(light.pos, from);
     Ray ray = createRay(from, (light.pos - from) / reach, x[0].w);
     bool blocked = false;
@@ -28,7 +29,6 @@ void probe(uint index, vec4 x[INPUTS], inout vec4 y[OUTPUTS])
         blocked = (SMALL_SPHERE[i].z >= 0.0 && hit_movingSphere(smallSphere(i), ray, 0.0, reach, rec)) || blocked;
     }
 
-    HitRecord floor = HitRecord(p, up, 1.0, createDiffuseMaterial(vec3(1.0)), -1);
     Ray view = createRay(p + vec3(0.0, 1.0, 0.0), vec3(0.0, -1.0, 0.0), x[0].w);
     vec3 light1 = directlighting(light, view, floor);
     y[0] = vec4(open ? 1.0 : 0.0, blocked ? 0.0 : 1.0, light1.x > 0.0 ? 1.0 : 0.0, light1.x);
