@@ -152,8 +152,9 @@ class UniformReader {
 
   static double number(const twin::UniformValue& value, int i) {
     if (i >= value.count) return 0;
-    return value.kind == Kind::int32 ? static_cast<const int*>(value.data)[i]
-                                     : static_cast<const float*>(value.data)[i];
+    // No conditional expression: its type would be float, which keeps no int beyond 2^24.
+    if (value.kind == Kind::int32) return static_cast<const int*>(value.data)[i];
+    return static_cast<double>(static_cast<const float*>(value.data)[i]);
   }
 
   template <class T>

@@ -41,6 +41,23 @@ TEST_P(SiteInputs, AMissingBufferIsAsLargeAsThePictureAlsoAfterAResize) {
   }
 }
 
+// Three days at 60 frames a second: past the integers that floats hold.
+TEST_P(SiteInputs, FramesAreCountedBeyondTwentyFourBits) {
+  const Project project =
+      load_project(json("late.json", pass("image", 37, "",
+                                          "void mainImage(out vec4 c, in vec2 p) { c.rgb = vec3(iFrame & "
+                                          "255, iFrame >> 8 & 255, iFrame >> 16); }")));
+  const auto player = play(project);
+  for (const int index : {(1 << 24) + 1, 0x7ffffffe}) {
+    Frame late = frame(0, 1, 1);
+    late.index = index;
+    player->render(late);
+    const Image image = player->read(0);
+    const float* got = image.at(0, 0);
+    EXPECT_EQ(glm::vec3(got[0], got[1], got[2]), glm::vec3(index & 255, index >> 8 & 255, index >> 16));
+  }
+}
+
 // Whoever reads with mipmaps has those of this frame, and each reader its own filter.
 TEST_P(SiteInputs, BuffersHaveTheirReadersFiltersAndMipmapsOfThisFrame) {
   const Project project = load_project(json(
