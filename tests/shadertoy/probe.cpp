@@ -131,9 +131,14 @@ Image run_shader(const Backend& backend, const Take& take) {
   Schedule schedule;
   schedule.width = take.width;
   schedule.height = take.height;
+  schedule.t0 = take.time;
   FixedClock clock(schedule, host_rules(project));
   const auto player = backend.create(project);
-  for (int i = 0; i < take.frames; ++i) player->render(clock.next());
+  for (int i = 0; i < take.frames; ++i) {
+    Frame frame = clock.next();
+    frame.index += take.first_frame;
+    player->render(frame);
+  }
   const int last = static_cast<int>(project.passes.size()) - 1;
   return player->read(take.pass.empty() ? last : find_pass(project, take.pass));
 }

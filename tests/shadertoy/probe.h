@@ -68,6 +68,8 @@ struct Take {
   int frames = 1;
   std::vector<std::pair<std::string, std::string>> defines = {};
   std::string pass = {};  // the last one if empty
+  int first_frame = 0;    // iFrame of the first one
+  double time = 0.0;      // iTime of the first one, seconds
 };
 
 // What the pass holds after the last frame.
