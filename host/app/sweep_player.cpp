@@ -1,6 +1,7 @@
 #include "host/app/sweep_player.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <ctime>
 
@@ -10,6 +11,7 @@
 #include "host/base/output_file.h"
 #include "host/compare/errors.h"
 #include "host/gl/context.h"
+#include "host/sweep/steady_times.h"
 #include "host/text/knobs.h"
 #include "host/text/load.h"
 
@@ -23,6 +25,8 @@ namespace {
 
 // A median wants a few; what a fast shader draws on top costs little.
 constexpr std::size_t least_timed_frames = 5;
+// How long a GPU may draw on, at most, until its times are steady.
+constexpr std::chrono::seconds patience{2};
 
 // The macro SEED is this uniform: floats hold whole numbers to 2^24.
 constexpr const char* seed_uniform = "iSweepSeed";
@@ -149,7 +153,9 @@ SweepPlayer::Take SweepPlayer::take(Opened& opened, const PlayOptions& options, 
       options_.targets.empty() ? 0.0 : *std::min_element(options_.targets.begin(), options_.targets.end());
   FixedClock clock(options.schedule, host_rules(project));
   Take take;
-  // The first frame is left out: drivers go on compiling in it.
+  sweep::SteadyTimes times;
+  std::size_t timed_frames = 0;
+  // The first frame is left out: most of the compiling is in it.
   const auto draw = [&, &player = *player](bool timed) {
     Frame frame = clock.next();
     frame.uniforms = uniforms;
@@ -161,7 +167,8 @@ SweepPlayer::Take SweepPlayer::take(Opened& opened, const PlayOptions& options, 
     double gpu = 0.0;
     for (const double pass : player.milliseconds()) gpu += std::max(pass, 0.0);
     take.gpu = gpu > 0.0;
-    take.milliseconds.push_back(take.gpu ? gpu : processor);
+    times.add(take.gpu ? gpu : processor);
+    ++timed_frames;
   };
   int end = frames;
   for (int i = 1; i <= end; ++i) {
@@ -175,7 +182,10 @@ SweepPlayer::Take SweepPlayer::take(Opened& opened, const PlayOptions& options, 
       end = std::min(*options_.max_frames, 2 * end);
   }
   if (shown != last) take.last = player->read(last);
-  while (take.milliseconds.size() < least_timed_frames) draw(true);
+  while (timed_frames < least_timed_frames) draw(true);
+  const auto late = std::chrono::steady_clock::now() + patience;
+  while (take.gpu && !times.steady() && std::chrono::steady_clock::now() < late) draw(true);
+  take.milliseconds = times.last();
   return take;
 }
 

@@ -65,11 +65,11 @@ class SweepPlayer {
 
  private:
   struct Take {
-    std::vector<int> frames;    // after which
-    std::vector<Image> shown;   // the shown pass was read
-    std::optional<Image> last;  // the last pass, after the last of them
-    std::vector<double> milliseconds;
-    bool gpu = false;  // measured them
+    std::vector<int> frames;           // after which
+    std::vector<Image> shown;          // the shown pass was read
+    std::optional<Image> last;         // the last pass, after the last of them
+    std::vector<double> milliseconds;  // a frame, the last ones
+    bool gpu = false;                  // measured them
   };
 
   PlayOptions options_of(const sweep::Point& point) const;
