@@ -73,6 +73,27 @@ bool shows(const Report& report, const Point& point, std::size_t axis) {
   return true;
 }
 
+// Names of points, where they stand. Those that would overlap are one name.
+std::vector<std::pair<std::pair<double, double>, std::string>> labels_of(
+    const Report& report, const std::vector<const Result*>& points) {
+  constexpr double close = 1.15;  // a factor in time and in error: about a line of text on two decades
+  std::vector<std::pair<std::pair<double, double>, std::string>> labels;
+  for (const Result* point : points) {
+    const std::pair place(point->summary.seconds(), point->summary.relative_mse.mean);
+    const std::string name = variant_label(report.axes, point->point, report.base);
+    const auto near = std::find_if(labels.begin(), labels.end(), [&](const auto& label) {
+      const auto ratio = [](double a, double b) { return std::max(a / b, b / a); };
+      return ratio(label.first.first, place.first) < 2.0 * close &&
+             ratio(label.first.second, place.second) < close;
+    });
+    if (near == labels.end())
+      labels.emplace_back(place, name);
+    else
+      near->second += ", " + name;
+  }
+  return labels;
+}
+
 std::string panel(const Report& report, const std::vector<const Result*>& points, std::size_t axis,
                   const std::string& title, Blocks& blocks) {
   // In a product every point has some value of the axis; one at a time, only those that differ in it show it.
@@ -95,12 +116,13 @@ std::string panel(const Report& report, const std::vector<const Result*>& points
          " using 1:2 with points pt " + (point->pareto ? "7" : "6") + " ps 0.9" + paint +
          (first ? " title " + quoted(report.axes[axis].name + " = " + value) : " notitle"));
   }
-  for (const Result* point : points) {
-    if (!point->pareto || !drawable(point->summary) || (!all && !shows(report, point->point, axis))) continue;
-    const std::string name = variant_label(report.axes, point->point, report.base);
-    plot(blocks.add({{point->summary.seconds(), point->summary.relative_mse.mean}}, name) +
-         " using 1:2:3 with labels left offset 0.6,0.5 font ',8' tc rgb '#555555' notitle");
-  }
+  std::vector<const Result*> named;
+  for (const Result* point : points)
+    if (point->pareto && drawable(point->summary) && (all || shows(report, point->point, axis)))
+      named.push_back(point);
+  for (const auto& [place, name] : labels_of(report, named))
+    plot(blocks.add({place}, name) +
+         " using 1:2:3 with labels right offset -0.8,-0.6 font ',8' tc rgb '#555555' notitle");
   if (plots.empty()) return "";
   return "set title " + quoted(title) + "\n" + plots + "\n";
 }
@@ -165,7 +187,7 @@ void write_plot(const Report& report, const std::string& title, const std::files
          << size << "\nset output " << quoted(output.path().string()) << '\n'
          << blocks.text()
          << "set logscale xy\nset format xy '%.0e'\nset autoscale noextend\nset grid lc rgb '#dddddd'\n"
-         << "set xlabel 'seconds a picture (" << clock_name(report) << ")'\n"
+         << "set xlabel 'seconds per picture (" << clock_name(report) << ")'\n"
          << "set ylabel 'relative MSE'\nset key bottom left font ',9'\nset offsets graph 0.05, graph 0.3, "
             "graph 0.08, graph 0.08\n"
          << "set multiplot layout " << rows << ',' << columns << " title " << quoted(title) << '\n'
