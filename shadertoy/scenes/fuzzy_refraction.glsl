@@ -1,4 +1,4 @@
-// Scene 1: fuzzy refraction. Seven balls of the same green glass before a striped wall, rougher from left to right.
+// Scene 1: fuzzy refraction. Seven balls of the same amber glass before a striped wall, rougher from left to right.
 //
 // Read twice: before common.glsl it says what the scene needs, after it what stands where.
 
