@@ -40,10 +40,14 @@ constexpr std::array<Definition, 9> definitions = {{
     {"uint",
      "uint shadertwin_safe_uint(float x) { uint r = uint(x); "
      "return x >= 4294967296.0 ? 4294967295u : x > 0.0 ? r : 0u; }"},
-    // Division by a zero that is known before the shader runs: some drivers make it anything.
+    // Division of or by a zero that is known before the shader runs: some drivers make it zero or anything.
+    // So zeros, infinities and NaN are made of bits, without arithmetic on them.
     {"over",
      "float shadertwin_safe_over(float a, float b) { float r = a / b; "
-     "return b == 0.0 ? a * uintBitsToFloat(floatBitsToUint(b) & 0x80000000u | 0x7f800000u) : r; }"},
+     "bool zero = a == 0.0, infinite = b == 0.0, is_nan = zero && infinite || a != a || b != b; "
+     "uint sign = (floatBitsToUint(a) ^ floatBitsToUint(b)) & 0x80000000u; "
+     "return is_nan ? uintBitsToFloat(0x7fc00000u) : zero ? uintBitsToFloat(sign) : "
+     "infinite ? uintBitsToFloat(sign | 0x7f800000u) : r; }"},
     // No division by 0 or -1 even of constants: a driver that computes -2147483648 / -1 itself may trap.
     {"divide",
      "int shadertwin_safe_divide(int a, int b) { int d = b == 0 || b == -1 ? 1 : b, r = a / d; "
@@ -56,8 +60,20 @@ constexpr std::array<Definition, 9> definitions = {{
 std::string type_name(const glslang::TType& type) {
   const bool is_float = type.getBasicType() == glslang::EbtFloat;
   const bool is_int = type.getBasicType() == glslang::EbtInt;
+  if (type.isMatrix())
+    return "mat" + std::to_string(type.getMatrixCols()) + 'x' + std::to_string(type.getMatrixRows());
   if (type.getVectorSize() == 1) return is_float ? "float" : is_int ? "int" : "uint";
   return (is_float ? "vec" : is_int ? "ivec" : "uvec") + std::to_string(type.getVectorSize());
+}
+
+// How many elements a type has, and of what type they are; a number has one.
+int elements_of(const std::string& type) {
+  const std::size_t at = type.find_first_of("234");
+  return at == std::string::npos ? 1 : type[at] - '0';
+}
+std::string element_of(const std::string& type) {
+  if (type.starts_with("mat")) return "vec" + type.substr(5);
+  return type[0] == 'i' ? "int" : type[0] == 'u' ? "uint" : "float";
 }
 
 // Numbers and vectors of them.
@@ -66,17 +82,6 @@ bool is_simple(const TIntermTyped& node) {
   return !type.isMatrix() && !type.isArray() && !type.isStruct() &&
          (type.getBasicType() == glslang::EbtFloat || type.getBasicType() == glslang::EbtInt ||
           type.getBasicType() == glslang::EbtUint);
-}
-
-// Whether the node is a constant and `holds` of each of its components, as doubles.
-template <class Test>
-bool is_constant_that(const TIntermTyped& node, Test holds) {
-  const TIntermConstantUnion* constant = node.getAsConstantUnion();
-  if (constant == nullptr) return false;
-  for (int i = 0; i < constant->getConstArray().size(); ++i) {
-    if (!holds(number_of(constant->getConstArray()[i]))) return false;
-  }
-  return true;
 }
 
 bool is_nonzero(const TIntermTyped& node) {
@@ -108,23 +113,17 @@ class Operations : public glslang::TIntermTraverser {
     kept_.insert(tree_.token_of(*node));
     const TIntermTyped& left = *node->getLeft();
     const TIntermTyped& right = *node->getRight();
-    if (!is_simple(left) || !is_simple(right)) return true;
-    const bool is_int = node->getBasicType() == glslang::EbtInt;
-    switch (node->getOp()) {
-      case glslang::EOpMod:
-      case glslang::EOpModAssign:
-        if (is_int) replace_operator(*node, "modulo");
-        break;
-      case glslang::EOpDiv:
-      case glslang::EOpDivAssign:
-        if (is_int && !is_constant_that(right, [](double x) { return x != 0 && x != -1; }))
-          replace_operator(*node, "divide");
-        if (node->getBasicType() == glslang::EbtFloat && zeros_.may_be_zero(right))
-          replace_operator(*node, "over");
-        break;
-      default:
-        break;
+    const glslang::TOperator op = node->getOp();
+    const bool divides = op == glslang::EOpDiv || op == glslang::EOpDivAssign;
+    const bool remains = op == glslang::EOpMod || op == glslang::EOpModAssign;
+    if (node->getBasicType() == glslang::EbtInt) {
+      if (remains) replace_operator(*node, "modulo");
+      if (divides && !is_constant_that(right, [](double x) { return x != 0 && x != -1; }))
+        replace_operator(*node, "divide");
     }
+    if (node->getBasicType() == glslang::EbtFloat && divides &&
+        (zeros_.may_be_zero(right) || (!is_positive(right) && zeros_.may_be_zero(left))))
+      replace_operator(*node, "over");
     return true;
   }
 
@@ -221,7 +220,7 @@ class Operations : public glslang::TIntermTraverser {
     if (text(token) == "(") --token;
     if (text(token) != name) return;
     edits_.instead[token] = "shadertwin_safe_" + name;
-    define(name, node.getType(), types_of(parts));
+    define(name, type_name(node.getType()), types_of(parts));
   }
 
   void replace_operator(const glslang::TIntermBinary& node, const std::string& name) {
@@ -232,7 +231,7 @@ class Operations : public glslang::TIntermTraverser {
     around_.push_back({range, "shadertwin_safe_" + name + (assigns ? "_to(" : "(")});
     edits_.instead[token] = ",";
     const Types types = types_of({node.getLeft(), node.getRight()});
-    define(name, node.getType(), types);
+    define(name, type_name(node.getType()), types);
     if (assigns)
       add(types[0] + " shadertwin_safe_" + name + "_to(inout " + types[0] + " a, " + types[1] +
           " b) { return a = shadertwin_safe_" + name + "(a, b); }");
@@ -242,15 +241,15 @@ class Operations : public glslang::TIntermTraverser {
   // one that no conversion further in has taken.
   void convert(const TIntermTyped& operand, const std::string& name) {
     const int inside = tree_.token_of(operand);
+    const std::string vector = name == "int" ? "ivec" : "uvec";
     for (int open = enclosing(inside); open > 0; open = enclosing(open)) {
       const std::string& constructor = text(open - 1);
-      if (constructor != name && !constructor.starts_with(name == "int" ? "ivec" : "uvec")) continue;
+      if (constructor != name && !constructor.starts_with(vector)) continue;
       const TokenRange argument = argument_around(tokens_, open, inside);
       if (!converted_.insert(argument.first).second) continue;
       around_.push_back({argument, "shadertwin_safe_" + name + "("});
-      const glslang::TType type(name == "int" ? glslang::EbtInt : glslang::EbtUint, glslang::EvqTemporary,
-                                operand.getType().getVectorSize());
-      define(name, type, types_of({&operand}));
+      const int size = operand.getType().getVectorSize();
+      define(name, size == 1 ? name : vector + std::to_string(size), types_of({&operand}));
       return;
     }
   }
@@ -273,8 +272,7 @@ class Operations : public glslang::TIntermTraverser {
   }
 
   // Our function for these types, and what it needs.
-  void define(const std::string& name, const glslang::TType& type, const Types& types) {
-    const std::string result = type_name(type);
+  void define(const std::string& name, const std::string& result, const Types& types) {
     static constexpr std::array<std::string_view, 3> names = {"a", "b", "c"};
     std::string head = result + " shadertwin_safe_" + name + "(";
     for (std::size_t i = 0; i < types.size(); ++i)
@@ -283,15 +281,24 @@ class Operations : public glslang::TIntermTraverser {
       add(head + ") { return min(max(a, b), c); }");
       return;
     }
-    for (const Definition& definition : definitions)
-      if (definition.name == name) add(std::string(definition.text));
-    if (type.getVectorSize() == 1) return;
+    const int count = elements_of(result);
+    if (count == 1) {
+      for (const Definition& definition : definitions)
+        if (definition.name == name) add(std::string(definition.text));
+      return;
+    }
+    Types parts;
+    for (const std::string& type : types) parts.push_back(element_of(type));
+    define(name, element_of(result), parts);
     std::string body;
-    for (int component = 0; component < type.getVectorSize(); ++component) {
-      body += (component > 0 ? ", shadertwin_safe_" : "shadertwin_safe_") + name + "(";
+    for (int element = 0; element < count; ++element) {
+      body += (element > 0 ? ", shadertwin_safe_" : "shadertwin_safe_") + name + "(";
       for (std::size_t i = 0; i < types.size(); ++i) {
         body += (i > 0 ? ", " : "") + std::string(names.at(i));
-        if (types[i].find("vec") != std::string::npos) body += std::string(".") + "xyzw"[component];
+        if (types[i].starts_with("mat"))
+          body += '[' + std::to_string(element) + ']';
+        else if (elements_of(types[i]) > 1)
+          body += std::string(".") + "xyzw"[element];
       }
       body += ")";
     }

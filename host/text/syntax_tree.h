@@ -34,6 +34,16 @@ inline double number_of(const glslang::TConstUnion& value) {
   }
 }
 
+// Whether the node is a constant and `holds` of each of its components, as doubles.
+template <class Test>
+bool is_constant_that(const glslang::TIntermTyped& node, Test holds) {
+  const glslang::TIntermConstantUnion* constant = node.getAsConstantUnion();
+  if (constant == nullptr) return false;
+  for (int i = 0; i < constant->getConstArray().size(); ++i)
+    if (!holds(number_of(constant->getConstArray()[i]))) return false;
+  return true;
+}
+
 class SyntaxTree {
  public:
   // Parses a pass's whole text, `#version 300 es` or `#version 320 es`. Throws Error(shader) with lines

@@ -107,6 +107,40 @@ TEST(DefineOperations, FindsDivisorsThatACompilerMayKnowToBeZero) {
   EXPECT_EQ(defined_source("x = inverse_of(x);", globals).body.find("safe_over"), std::string::npos);
 }
 
+TEST(DefineOperations, FindsNumeratorsThatACompilerMayKnowToBeZero) {
+  EXPECT_EQ(defined("x = 0.0 / x;"), "x=shadertwin_safe_over(0.0,x);");
+  EXPECT_EQ(defined("v = vec2(x, 0.0) / v;"), "v=shadertwin_safe_over(vec2(x,0.0),v);");
+  EXPECT_EQ(defined("float z = 0.0; z /= x;"), "floatz=0.0;shadertwin_safe_over_to(z,x);");
+  EXPECT_EQ(defined("mat2 m = mat2(0.0) / x;"), "mat2m=shadertwin_safe_over(mat2(0.0),x);");
+  EXPECT_EQ(defined("x = 0.0 / -2.0 + x;"), "x=0.0/-2.0+x;");
+  EXPECT_EQ(defined("float z = 0.0; z /= -2.0;"), "floatz=0.0;shadertwin_safe_over_to(z,-2.0);");
+  EXPECT_EQ(defined("for (int n = 0; n < 3; n++) x = float(n) / 3.0;"), "for(intn=0;n<3;n++)x=float(n)/3.0;");
+  EXPECT_EQ(defined("float z = 2.0; x = z / x;"), "floatz=2.0;x=z/x;");
+}
+
+TEST(DefineOperations, FollowsZerosThroughTheText) {
+  const auto defines = [](const std::string& body, const std::string& globals = "") {
+    return defined_source(body, globals).body.find("safe_over") != std::string::npos;
+  };
+  for (const char* body :
+       {"float z = x; z = 0.0; x = z / x;", "float z; x = z / x;", "v.x = 0.0; x = v.x / x;",
+        "vec2 w = vec2(0.0); w.x = x; v = w / x;", "float z = 1.0; z -= 1.0; x = z / x;",
+        "float z = x * 0.0; x = z / x;", "float z = x > 1.0 ? 0.0 : 0.0; x = z / x;",
+        "float z = 0.0; for (int n = 0; n < 3; ++n) { x = z / x; z += x; }",
+        "for (float n; n < 3.0; ++n) x = x / n;", "float n; x = x / n++;",
+        "for (int n = -1; n < 2; ++n) x = x / float(n);", "for (int n = 1; n > -2; --n) x = x / float(n);",
+        "float n = -1.0; n += 1.0; x = x / n;", "uint n = 3u; n >>= 2; x = x / float(n);"})
+    EXPECT_TRUE(defines(body)) << body;
+  for (const char* body :
+       {"float z = 0.0; z = x; x = z / x;", "float z = 0.0; z += x; x = z / x;",
+        "float z = 0.0; for (int n = 0; n < 3; ++n) z += x; x = z / x;",
+        "for (int n = 1; n < 3; ++n) x = x / float(n);", "for (float n; n++ < 3.0;) x = x / n;",
+        "float n; x = x / ++n;", "float n = 1.0; n += 0.5; n *= 2.0; x = x / n;"})
+    EXPECT_FALSE(defines(body)) << body;
+  EXPECT_TRUE(defines("float z; clear(z); x = z / x;", "void clear(out float a) { a = 0.0; }\n"));
+  EXPECT_FALSE(defines("float z; fill(z); x = z / x;", "void fill(out float a) { a = iTime; }\n"));
+}
+
 TEST(DefineOperations, AddsTheFunctionsThatAreCalled) {
   EXPECT_EQ(defined_source("x += 1.0;").helpers.find("shadertwin"), std::string::npos);
   const std::string helpers = defined_source("v = mod(v, x); v = mod(v, v); v = mod(v, x);").helpers;
@@ -119,6 +153,10 @@ TEST(DefineOperations, AddsTheFunctionsThatAreCalled) {
   EXPECT_EQ(count("float shadertwin_safe_mod(float x, float y)"), 1U);
   EXPECT_EQ(count("vec2 shadertwin_safe_mod(vec2 a, float b)"), 1U);
   EXPECT_EQ(count("vec2 shadertwin_safe_mod(vec2 a, vec2 b)"), 1U);
+  const std::string matrices = defined_source("mat3x2 m = mat3x2(0.0) / x; m /= x;").helpers;
+  const std::size_t columns = matrices.find("vec2 shadertwin_safe_over(vec2 a, float b)");
+  EXPECT_LT(columns, matrices.find("mat3x2 shadertwin_safe_over(mat3x2 a, float b)"));
+  EXPECT_NE(matrices.find("mat3x2 shadertwin_safe_over_to(inout mat3x2 a, float b)"), std::string::npos);
 }
 
 TEST(DefineOperations, AreAsPreciseAsTheRest) {

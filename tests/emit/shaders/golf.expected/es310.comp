@@ -1,7 +1,7 @@
 #version 310 es
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
- int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; } float shadertwin_safe_over(float a, float b) { float r = a / b; return b == 0.0 ? a * uintBitsToFloat(floatBitsToUint(b) & 0x80000000u | 0x7f800000u) : r; } vec4 shadertwin_safe_over(vec4 a, float b) { return vec4(shadertwin_safe_over(a.x, b), shadertwin_safe_over(a.y, b), shadertwin_safe_over(a.z, b), shadertwin_safe_over(a.w, b)); } int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
+ int shadertwin_safe_int(float x) { int r = int(x); return x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r; } int shadertwin_at(int i, int last) { return clamp(i, 0, last); } int shadertwin_at(uint i, int last) { return int(min(i, uint(last))); }
 layout(local_size_x = 8, local_size_y = 8) in; layout(rgba32f, binding = 7) writeonly uniform highp image2D shadertwin_target; uniform ivec2 shadertwin_origin; vec4 shadertwin_frag_coord; vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
 uniform float iTime ;
@@ -72,7 +72,7 @@ vec4 O = vec4 ( u , c ) ;
 O . xy += vec2 ( u . y , O ) . yx * float ( ( ( int ( shadertwin_safe_int(u . x) ) >> 1 ) & 1 ) ) ;
 vec2 ( d ) ;
 for ( float a = 0. ; vec2 ( a ) , a < 2. ; vec2 ( i ) , a ++ ) O . x += float ( ( vec3 ( a ) , int ( shadertwin_safe_int(a) ) ) ) ;
-return O . w > .5 ? O * next ( ) : shadertwin_safe_over(O , next ( )) ;
+return O . w > .5 ? O * next ( ) : O / next ( ) ;
 }
 
 void mainImage ( out vec4 O , in vec2 I ) { O = vec4(0);

@@ -1,7 +1,7 @@
 #version 320 es
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
-int shadertwin_safe_int ( precise float x ) { precise bool shadertwin_test; precise int shadertwin_result; precise int r = int ( x ) ; return (shadertwin_result = (x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r)) ; } float shadertwin_safe_over ( precise float a , precise float b ) { precise bool shadertwin_test; precise float shadertwin_result; precise float r = a / b ; return (shadertwin_result = (b == 0.0 ? a * uintBitsToFloat ( floatBitsToUint ( b ) & 0x80000000u | 0x7f800000u ) : r)) ; } vec4 shadertwin_safe_over ( precise vec4 a , precise float b ) { precise bool shadertwin_test; precise vec4 shadertwin_result; return (shadertwin_result = (vec4 ( shadertwin_safe_over ( a . x , b ) , shadertwin_safe_over ( a . y , b ) , shadertwin_safe_over ( a . z , b ) , shadertwin_safe_over ( a . w , b ) ))) ; } int shadertwin_at ( precise int i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (clamp ( i , 0 , last ))) ; } int shadertwin_at ( precise uint i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (int ( min ( i , uint ( last ) ) ))) ; }
+int shadertwin_safe_int ( precise float x ) { precise bool shadertwin_test; precise int shadertwin_result; precise int r = int ( x ) ; return (shadertwin_result = (x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r)) ; } int shadertwin_at ( precise int i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (clamp ( i , 0 , last ))) ; } int shadertwin_at ( precise uint i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (int ( min ( i , uint ( last ) ) ))) ; }
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
 uniform float iTime ;
@@ -72,7 +72,7 @@ precise vec4 O = vec4 ( u , c ) ;
 O . xy += vec2 ( u . y , O ) . yx * float ( ( ( int ( shadertwin_safe_int ( u . x ) ) >> 1 ) & 1 ) ) ;
 vec2 ( d ) ;
 for ( precise float a = 0. ; (shadertwin_test = (vec2 ( a ) , a < 2.)) ; vec2 ( i ) , a ++ ) O . x += float ( ( vec3 ( a ) , int ( shadertwin_safe_int ( a ) ) ) ) ;
-return (shadertwin_result = (O . w > .5 ? O * next ( ) : shadertwin_safe_over ( O , next ( ) ))) ;
+return (shadertwin_result = (O . w > .5 ? O * next ( ) : O / next ( ))) ;
 }
 
 void mainImage ( precise out vec4 O , precise in vec2 I ) { precise bool shadertwin_test; O = vec4 ( 0 ) ;

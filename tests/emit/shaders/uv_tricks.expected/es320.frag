@@ -1,7 +1,7 @@
 #version 320 es
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
-float shadertwin_safe_over ( precise float a , precise float b ) { precise bool shadertwin_test; precise float shadertwin_result; precise float r = a / b ; return (shadertwin_result = (b == 0.0 ? a * uintBitsToFloat ( floatBitsToUint ( b ) & 0x80000000u | 0x7f800000u ) : r)) ; }
+float shadertwin_safe_over ( precise float a , precise float b ) { precise bool shadertwin_test; precise float shadertwin_result; precise float r = a / b ; precise bool zero = a == 0.0 , infinite = b == 0.0 , is_nan = zero && infinite || a != a || b != b ; precise uint sign = ( floatBitsToUint ( a ) ^ floatBitsToUint ( b ) ) & 0x80000000u ; return (shadertwin_result = (is_nan ? uintBitsToFloat ( 0x7fc00000u ) : zero ? uintBitsToFloat ( sign ) : infinite ? uintBitsToFloat ( sign | 0x7f800000u ) : r)) ; }
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
 uniform float iTime ;
