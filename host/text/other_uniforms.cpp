@@ -59,12 +59,14 @@ constexpr std::string_view own_prefix = "shadertwin_own_";
 constexpr const char* byte_function =
     " vec4 shadertwin_byte(vec4 c) { return floor(clamp(c, 0.0, 1.0) * 255.0 + 0.5) / 255.0; }";
 
-// `uniform TYPE NAME, NAME[SIZE] ...;`, or the same with `in`.
+// `uniform TYPE NAME, NAME[SIZE] ...;`, or the same with `in` and what may stand before that.
 struct Declaration {
   bool is_input = false;
   std::string_view type;
-  std::size_t begin = 0;  // in the text
-  std::size_t end = 0;    // behind the semicolon
+  std::string_view sizes;  // behind the type
+  std::size_t begin = 0;   // in the text
+  std::size_t word = 0;    // behind `uniform` or `in`
+  std::size_t end = 0;     // behind the semicolon
   struct Name {
     std::string_view text;
     std::string_view whole;  // with the size of an array
@@ -75,12 +77,26 @@ struct Declaration {
   std::vector<Name> names;
 
   std::string declared(const Name& name) const {
-    return std::string(type) + " " + std::string(name.whole) + "; ";
+    return std::string(type) + std::string(sizes) + " " + std::string(name.whole) + "; ";
   }
 };
 
 bool is_precision(const Token& token) {
   return token.is("lowp") || token.is("mediump") || token.is("highp");
+}
+
+// Where the qualifiers of the input whose `in` is at `i` begin: `flat`, `layout(...)` and so on.
+std::size_t begin_of_input(const std::vector<Token>& tokens, std::size_t i) {
+  for (; i > 0; --i) {
+    const Token& before = tokens[i - 1];
+    if (before.is("flat") || before.is("smooth") || before.is("centroid") || before.is("layout")) continue;
+    if (!before.is(")")) break;
+    std::size_t open = i - 1;
+    while (open > 0 && !tokens[open].is("(")) --open;
+    if (open == 0 || !tokens[open - 1].is("layout")) break;
+    i = open;
+  }
+  return tokens[i].begin;
 }
 
 // Those outside of functions, but for blocks.
@@ -98,13 +114,18 @@ std::vector<Declaration> declarations(std::string_view text, const std::vector<T
     if (depth != 0 || (!tokens[i].is("uniform") && !tokens[i].is("in"))) continue;
     Declaration declaration;
     declaration.is_input = tokens[i].is("in");
-    declaration.begin = tokens[i].begin;
+    declaration.begin = declaration.is_input ? begin_of_input(tokens, i) : tokens[i].begin;
+    declaration.word = tokens[i].end();
     std::size_t k = i + 1;
     while (is_precision(at(k))) ++k;
     if (at(k).kind != Token::Kind::identifier) continue;
     declaration.type = at(k++).text;
     if (declaration.type == "struct")
       while (k < tokens.size() && !at(k - 1).is("}")) ++k;
+    const std::size_t sizes = k;
+    while (at(k).is("["))
+      while (k < tokens.size() && !at(k++).is("]")) continue;
+    if (k > sizes) declaration.sizes = text.substr(at(sizes).begin, at(k - 1).end() - at(sizes).begin);
     if (at(k).kind != Token::Kind::identifier) continue;
     for (;; ++k) {
       const Token& name = at(k);
@@ -123,7 +144,7 @@ std::vector<Declaration> declarations(std::string_view text, const std::vector<T
 
 class Adopter {
  public:
-  Adopter(const Project& project, std::size_t index, Pass& pass)
+  Adopter(Project& project, std::size_t index, Pass& pass)
       : project_(project), index_(static_cast<int>(index)), pass_(pass) {}
 
   void adopt() {
@@ -163,15 +184,32 @@ class Adopter {
     return here ? &*found : nullptr;
   }
 
-  void note(const Declaration::Name& name, bool set) {
+  SourceLine line_of(const Declaration::Name& name) const {
     const auto& lines = pass_.source.lines;
     const auto line = static_cast<std::size_t>(name.line - 1);
-    pass_.other_uniforms.push_back(
-        {std::string(name.text), line < lines.size() ? lines[line] : SourceLine{}, set});
+    return line < lines.size() ? lines[line] : SourceLine{};
+  }
+
+  void note(const Declaration::Name& name, bool set) {
+    pass_.other_uniforms.push_back({std::string(name.text), line_of(name), set});
+  }
+
+  // No stage before this one gives it a value.
+  void warn_of_input(const Declaration::Name& name) {
+    const SourceLine at = line_of(name);
+    const std::string place =
+        at.file < 0 ? pass_.name
+                    : project_.files[static_cast<std::size_t>(at.file)] + ":" + std::to_string(at.line);
+    std::string warning =
+        place + ": warning: no vertex shader sets the input '" + std::string(name.text) + "'";
+    if (std::ranges::find(project_.warnings, warning) == project_.warnings.end())
+      project_.warnings.push_back(std::move(warning));
   }
 
   void adopt(const Declaration& declaration, const std::string& body, const std::vector<Token>& tokens) {
-    const std::string word = declaration.is_input ? "in " : "uniform ";
+    // Without a vertex shader an input is a variable, which nothing sets but for those that have a meaning.
+    const bool is_variable = declaration.is_input && !pass_.vertex.has_value();
+    const std::string word = is_variable ? "" : declaration.is_input ? "in " : "uniform ";
     std::string text;
     bool changed = false;
     for (const Declaration::Name& name : declaration.names) {
@@ -180,12 +218,18 @@ class Adopter {
       changed = changed || gone || !variable.empty();
       text += variable;
       if (variable.empty() && !gone) text += word + declaration.declared(name);
+      if (variable.empty() && is_variable) warn_of_input(name);
     }
-    if (!changed) return;
-    const std::string_view old =
-        std::string_view(body).substr(declaration.begin, declaration.end - declaration.begin);
+    if (changed)
+      replace(body, declaration.begin, declaration.end, text);
+    else if (is_variable)
+      replace(body, declaration.begin, declaration.word, "");
+  }
+
+  void replace(std::string_view body, std::size_t begin, std::size_t end, const std::string& by) {
+    const std::string_view old = body.substr(begin, end - begin);
     const auto lines = static_cast<std::size_t>(std::count(old.begin(), old.end(), '\n'));
-    edits_.push_back({declaration.begin, old.size(), text + std::string(lines, '\n')});
+    edits_.push_back({begin, old.size(), by + std::string(lines, '\n')});
   }
 
   // The declaration of a variable for what has a meaning here, whose value is noted; else empty.
@@ -285,7 +329,7 @@ class Adopter {
                        [&](const Edit& edit) { return at >= edit.begin && at < edit.begin + edit.length; });
   }
 
-  const Project& project_;
+  Project& project_;
   int index_;
   Pass& pass_;
   bool only_main_ = false;
@@ -299,7 +343,7 @@ class Adopter {
 
 }  // namespace
 
-void adopt_other_uniforms(const Project& project, std::size_t pass_index, Pass& pass) {
+void adopt_other_uniforms(Project& project, std::size_t pass_index, Pass& pass) {
   Adopter(project, pass_index, pass).adopt();
 }
 

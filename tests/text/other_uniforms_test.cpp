@@ -71,6 +71,23 @@ TEST_F(OtherUniforms, ABlockIsToldOnceForItsPass) {
   EXPECT_TRUE(warnings("uniform Light { vec4 colour;\n" + std::string(image)).empty());
 }
 
+TEST_F(OtherUniforms, InputsAreVariablesWithoutAVertexShader) {
+  const std::string text =
+      "in vec2 vUv;\nflat in highp ivec2 cell, cells[2];\nlayout(location = 1) centroid\nin mat2[2] m;\n"
+      "in struct Ray { vec3 o; } ray;\n";
+  const std::vector<std::string> expected = {"a.glsl:2: warning: no vertex shader sets the input 'cell'",
+                                             "a.glsl:2: warning: no vertex shader sets the input 'cells'",
+                                             "a.glsl:4: warning: no vertex shader sets the input 'm'",
+                                             "a.glsl:5: warning: no vertex shader sets the input 'ray'"};
+  EXPECT_EQ(warnings(text + own_main), expected);
+  std::string body = load(text + own_main).passes[0].source.body;
+  std::erase(body, ' ');
+  EXPECT_EQ(body.substr(0, body.find("voidmain")),
+            "vec2vUv;\nivec2cell,cells[2];\n\nmat2[2]m;\nstructRay{vec3o;}ray;\n");
+  // Beside mainImage() no host is known for vUv either.
+  EXPECT_EQ(warnings(std::string("in vec2 vUv;\n") + image).size(), 1U);
+}
+
 TEST_F(OtherUniforms, SkippedCodeDeclaresNothing) {
   EXPECT_TRUE(warnings(std::string("#if 0\nuniform float speed;\n#endif\n") + image).empty());
 }

@@ -51,6 +51,25 @@ void main( void ) {
 )") + painted);
 }
 
+TEST_P(OtherHosts, InputsThatNoVertexShaderSetsAreZero) {
+  expect_green("inputs", R"(#version 300 es
+precision highp float;
+struct Hit { float t; ivec2 cell; };
+in vec2 uv, unused[2];
+flat in highp uint count;
+flat in ivec3 cells[2];
+centroid in mat2 turn;
+in vec3[2] pair;
+flat in Hit hit;
+out vec4 color;
+void main() {
+  bool ok = uv == vec2(0.0) && unused[int(gl_FragCoord.x) & 1] == vec2(0.0) && count == 0u && cells[1] == ivec3(0);
+  ok = ok && turn == mat2(0.0) && pair[1] == vec3(0.0) && hit == Hit(0.0, ivec2(0));
+  color = ok ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, 1.0);
+}
+)");
+}
+
 TEST_P(OtherHosts, BookOfShadersAndGlslViewer) {
   expect_green("book", std::string(R"(#ifdef GL_ES
 precision highp float;
