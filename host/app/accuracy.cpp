@@ -2,7 +2,6 @@
 #include <cstdio>
 #include <memory>
 
-#include "host/app/add_option.h"
 #include "host/app/command.h"
 #include "host/app/options.h"
 #include "host/app/progress.h"
@@ -142,7 +141,7 @@ void print_story(const Accuracy& accuracy, const Project& project, const JudgeOp
 }
 
 // Of findings, where one pixel is told instead.
-void refuse_without_effect(const CLI::App& command, const JudgeOptions& options) {
+void refuse_without_effect(CommandLine command, const JudgeOptions& options) {
   if (options.pixel && options.json.empty())
     refuse(command, {"--threshold", "--all"},
            "is of findings, and --pixel tells none: leave one of them out");
@@ -184,37 +183,37 @@ void run_accuracy(const JudgeOptions& options) {
 
 }  // namespace
 
-void add_accuracy(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
+void add_accuracy(CommandLine app) {
+  const CommandLine command = app.add_subcommand(
       "accuracy", "find the lines that lose digits: the shader in float, with a double beside each number");
   const auto options = std::make_shared<JudgeOptions>();
   options->schedule.width = 128;
   options->schedule.height = 72;
   options->frames = 2;
-  add_options(*command, Command::accuracy, *options);
-  add_value(*command, "--threshold", options->threshold, read_share,
+  add_options(command, Command::accuracy, *options);
+  add_value(command, "--threshold", options->threshold, read_share,
             "tell of what moves a pixel by so much: colours go from 0 to 1, and numbers above 1 in a buffer "
             "count relatively",
             "1/512")
-      ->type_name("FLOAT");
-  command->add_flag("--all", options->all,
-                    "tell of every operation that loses 8 bits and of every decision that differs, also "
-                    "where less than one "
-                    "pixel of a thousand shows it or none does");
-  add_value(*command, "--max-error", options->max_error, read_share,
+      .type_name("FLOAT");
+  command.add_flag("--all", options->all,
+                   "tell of every operation that loses 8 bits and of every decision that differs, also "
+                   "where less than one "
+                   "pixel of a thousand shows it or none does");
+  add_value(command, "--max-error", options->max_error, read_share,
             "exit with 1 if a pixel of the picture is off by more, from 0 to 1")
-      ->type_name("FLOAT");
-  command->add_option(
+      .type_name("FLOAT");
+  command.add_option(
       "--heatmap", options->heatmap,
       "write a picture of the logarithm of each pixel's error in the last frame (black: none, blue: "
       "2^-24, red: 1, magenta: just one of float and double is NaN): " +
           list_of(image_formats()));
   add_value(
-      *command, "--pixel", options->pixel, read_pixel,
+      command, "--pixel", options->pixel, read_pixel,
       "X,Y: tell instead, in order, every operation with a notable error that makes this pixel in the last "
       "frame, counted from the lower left");
-  command->callback([command, options] {
-    refuse_without_effect(*command, *options);
+  command.callback([command, options] {
+    refuse_without_effect(command, *options);
     run_accuracy(*options);
   });
 }

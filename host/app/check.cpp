@@ -63,15 +63,15 @@ void run_check(const PlayOptions& options) {
 
 }  // namespace
 
-void add_check(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
+void add_check(CommandLine app) {
+  const CommandLine command = app.add_subcommand(
       "check", "find what will not paste, not run everywhere, or is undefined: one line a finding");
   const auto options = std::make_shared<PlayOptions>();
   options->schedule.width = 64;
   options->schedule.height = 36;
   options->frames = 2;
-  add_options(*command, Command::check, *options);
-  command->callback([options] { run_check(*options); });
+  add_options(command, Command::check, *options);
+  command.callback([options] { run_check(*options); });
 }
 
 }  // namespace shadertwin::app

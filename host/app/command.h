@@ -1,20 +1,23 @@
 // The subcommands. Each function declares one subcommand's options and what it does.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "host/app/command_line.h"
 
 namespace shadertwin::app {
 
 // Callbacks throw Error; main turns that into one line and an exit status.
-void add_accuracy(CLI::App& app);
-void add_check(CLI::App& app);
-void add_compare(CLI::App& app);
+void add_accuracy(CommandLine app);
+void add_check(CommandLine app);
+void add_compare(CommandLine app);
 // `arguments`: of the whole program, without its name; gdb starts it again with them.
-void add_debug(CLI::App& app, const std::vector<std::string>& arguments);
-void add_devices(CLI::App& app);
-void add_export(CLI::App& app);
-void add_render(CLI::App& app);
-void add_sweep(CLI::App& app);
-void add_view(CLI::App& app);
+void add_debug(CommandLine app, const std::vector<std::string>& arguments);
+void add_devices(CommandLine app);
+void add_export(CommandLine app);
+void add_render(CommandLine app);
+void add_sweep(CommandLine app);
+void add_view(CommandLine app);
 
 }  // namespace shadertwin::app

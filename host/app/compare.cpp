@@ -5,7 +5,6 @@
 #include <memory>
 #include <set>
 
-#include "host/app/add_option.h"
 #include "host/app/command.h"
 #include "host/app/options.h"
 #include "host/app/players.h"
@@ -156,28 +155,28 @@ void run_compare(const CompareOptions& options) {
 
 }  // namespace
 
-void add_compare(CLI::App& app) {
-  CLI::App* command =
+void add_compare(CommandLine app) {
+  const CommandLine command =
       app.add_subcommand("compare", "play the same frames on two players and say how far they are apart");
   const auto options = std::make_shared<CompareOptions>();
-  add_options(*command, Command::compare, *options);
+  add_options(command, Command::compare, *options);
   add_repeated(
-      *command, "--on", [options](const std::string& word) { options->players.push_back(read_device(word)); },
+      command, "--on", [options](const std::string& word) { options->players.push_back(read_device(word)); },
       "a player, as render takes it; give it twice")
-      ->required();
-  command->add_flag("--every-frame", options->every_frame,
-                    "compare every frame, and name the first that differs");
-  command->add_option("--heatmap", options->heatmap,
-                      "write a picture of where they differ: " + list_of(image_formats()));
+      .required();
+  command.add_flag("--every-frame", options->every_frame,
+                   "compare every frame, and name the first that differs");
+  command.add_option("--heatmap", options->heatmap,
+                     "write a picture of where they differ: " + list_of(image_formats()));
   command
-      ->add_option("--max-ulp", options->max_ulp,
-                   "exit with 1 if a channel of a pass differs by more units in the last place")
-      ->default_str("no limit");
+      .add_option("--max-ulp", options->max_ulp,
+                  "exit with 1 if a channel of a pass differs by more units in the last place")
+      .default_str("no limit");
   command
-      ->add_option("--min-equal", options->min_equal,
-                   "exit with 1 if less than this percentage of a channel of a pass has the same bits")
-      ->check(CLI::Range(0.0, 100.0));
-  command->callback([options] { run_compare(*options); });
+      .add_option("--min-equal", options->min_equal,
+                  "exit with 1 if less than this percentage of a channel of a pass has the same bits")
+      .between(0.0, 100.0);
+  command.callback([options] { run_compare(*options); });
 }
 
 }  // namespace shadertwin::app

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "host/app/add_option.h"
 #include "host/app/command.h"
 #include "host/app/options.h"
 #include "host/base/error.h"
@@ -89,22 +88,20 @@ constexpr const char* vector_printer =
 
 }  // namespace
 
-void add_debug(CLI::App& app, const std::vector<std::string>& arguments) {
-  CLI::App* command =
+void add_debug(CommandLine app, const std::vector<std::string>& arguments) {
+  const CommandLine command =
       app.add_subcommand("debug", "stop gdb in the GLSL at one pixel: its lines, its names, its values");
   const auto options = std::make_shared<DebugOptions>();
   options->on = read_twin("cpu");
-  add_options(*command, Command::debug, *options);
-  add_value(*command, "--pixel", options->pixel, read_pixel, "X,Y: the pixel to stop at, from the lower left")
-      ->required();
-  add_value(*command, "--on", options->on, read_twin, "cpu, or cpu/double", "cpu");
-  command
-      ->add_option("--command", options->commands,
-                   "a gdb command to run after the stop; gdb then ends by itself; may be repeated")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_flag("--inside", options->inside)->group("");
-  command->callback([options, arguments] {
+  add_options(command, Command::debug, *options);
+  add_value(command, "--pixel", options->pixel, read_pixel, "X,Y: the pixel to stop at, from the lower left")
+      .required();
+  add_value(command, "--on", options->on, read_twin, "cpu, or cpu/double", "cpu");
+  command.add_words(
+      "--command", [options](const std::string& word) { options->commands.push_back(word); },
+      "a gdb command to run after the stop; gdb then ends by itself; may be repeated");
+  command.add_flag("--inside", options->inside, "").hidden();
+  command.callback([options, arguments] {
     if (options->inside) return play_to_the_pixel(*options);
     // What is wrong with the shader or the options must show before gdb hides it.
     check_pixel(options->pixel, {options->schedule.width, options->schedule.height});

@@ -6,10 +6,10 @@
 
 namespace shadertwin::app {
 
-void add_devices(CLI::App& app) {
-  CLI::App* command =
+void add_devices(CommandLine app) {
+  const CommandLine command =
       app.add_subcommand("devices", "what this machine can run on, by the names that --on takes");
-  command->callback([] {
+  command.callback([] {
     std::vector<std::string> problems;
     const auto devices = gl::list_devices(&problems);
     for (const gl::DeviceInfo& d : devices)

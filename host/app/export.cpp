@@ -1,7 +1,6 @@
 #include <fstream>
 #include <memory>
 
-#include "host/app/add_option.h"
 #include "host/app/command.h"
 #include "host/app/options.h"
 #include "host/base/error.h"
@@ -73,22 +72,22 @@ void refuse_without_effect(const ExportOptions& options) {
 
 }  // namespace
 
-void add_export(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("export", "write a shader in a form to pass on");
+void add_export(CommandLine app) {
+  const CommandLine command = app.add_subcommand("export", "write a shader in a form to pass on");
   const auto options = std::make_shared<ExportOptions>();
-  add_options(*command, Command::export_, *options);
+  add_options(command, Command::export_, *options);
   add_choice<Form, Form>(
-      *command, "--to", options->to,
+      command, "--to", options->to,
       {{"html", Form::html}, {"tabs", Form::tabs}, {"json", Form::json}, {"cpp", Form::cpp}},
       "html: a page that plays it in any browser, with everything inside (#paused, #time=SECONDS, "
       "#size=WxH or #bare behind its address set it up); tabs: a folder with a text a tab to paste "
       "into shadertoy.com, and BINDINGS.txt; json: as Shadertoy's API gives a shader; cpp: a folder with "
       "a C++ file a pass, "
       "as the CPU twin compiles it")
-      ->required();
-  command->add_option("-o,--output", options->output, "the file to write; for tabs and cpp a new folder")
-      ->required();
-  command->callback([options] {
+      .required();
+  command.add_option("-o,--output", options->output, "the file to write; for tabs and cpp a new folder")
+      .required();
+  command.callback([options] {
     refuse_without_effect(*options);
     export_project(*options);
   });

@@ -1,8 +1,8 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "host/app/command.h"
 #include "host/base/error.h"
@@ -17,25 +17,7 @@ int fail(ExitStatus status, const std::string& text) {
   return static_cast<int>(status);
 }
 
-// The first line of a CLI11 message, which may be several.
-std::string first_line(const std::string& text) {
-  return text.substr(0, text.find('\n'));
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  shadertwin::remove_unfinished_when_interrupted();
-  CLI::App app{
-      "Runs Shadertoy shaders off the web, and checks them against a CPU twin compiled from the same GLSL."};
-  app.name("shadertwin");
-  app.require_subcommand(1);
-  app.set_version_flag("--version", SHADERTWIN_VERSION);
-  // Later options win, so that scripts can put their own in front of the user's.
-  app.option_defaults()->always_capture_default()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  app.footer(
-      "Exit status: 0 done; 1 a comparison or check failed; 2 wrong usage; 3 the shader doesn't compile;\n"
-      "4 a file can't be read or written; 5 no way to run here.");
+void declare(shadertwin::app::CommandLine app, const std::vector<std::string>& arguments) {
   shadertwin::app::add_view(app);
   shadertwin::app::add_render(app);
   shadertwin::app::add_compare(app);
@@ -43,14 +25,27 @@ int main(int argc, char** argv) {
   shadertwin::app::add_check(app);
   shadertwin::app::add_accuracy(app);
   shadertwin::app::add_export(app);
-  shadertwin::app::add_debug(app, {argv + 1, argv + argc});
+  shadertwin::app::add_debug(app, arguments);
   shadertwin::app::add_devices(app);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  shadertwin::remove_unfinished_when_interrupted();
+  const shadertwin::app::ProgramText text = {.name = "shadertwin",
+                                             .description =
+                                                 "Runs Shadertoy shaders off the web, and checks them "
+                                                 "against a CPU twin compiled from the same GLSL.",
+                                             .version = SHADERTWIN_VERSION,
+                                             .footer =
+                                                 "Exit status: 0 done; 1 a comparison or check failed; 2 "
+                                                 "wrong usage; 3 the shader doesn't compile;\n"
+                                                 "4 a file can't be read or written; 5 no way to run here."};
   try {
-    app.parse(argc, argv);
-    return static_cast<int>(ExitStatus::done);
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(e);
-    return fail(ExitStatus::usage, first_line(e.what()) + " (shadertwin --help lists what there is)");
+    return shadertwin::app::run_command_line(argc, argv, text, [&](auto app) {
+      declare(app, {argv + 1, argv + argc});
+    });
   } catch (const shadertwin::Error& e) {
     return fail(e.status(), e.what());
   } catch (const std::bad_alloc&) {

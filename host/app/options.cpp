@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "host/app/add_option.h"
 #include "host/base/error.h"
 #include "host/text/load.h"
 #include "host/text/text_warnings.h"
@@ -39,7 +38,7 @@ void refuse_for_project(const PlayOptions& o, const Project& project) {
 
 }  // namespace
 
-void add_options(CLI::App& app, Command command, PlayOptions& o) {
+void add_options(CommandLine app, Command command, PlayOptions& o) {
   PlaySettings& settings = o.load.settings;
   Schedule& schedule = o.schedule;
   const auto declare = [&](Commands commands, std::vector<NoEffect> no_effect, auto add) -> Declared* {
@@ -57,7 +56,7 @@ void add_options(CLI::App& app, Command command, PlayOptions& o) {
         .add_option(
             "SHADER", o.shader,
             "a .glsl file (other passes by #iChannel), a folder of Shadertoy tabs, or a Shadertoy JSON")
-        ->required();
+        .required();
   });
   declare_for_pixels(all_with_one_value, {}, [&] {
     return add_repeated(
@@ -70,7 +69,7 @@ void add_options(CLI::App& app, Command command, PlayOptions& o) {
       settings.defines.emplace_back("SEED", std::to_string(read_seed(word)));
     };
     return add_word(app, "--seed", add, "the same as -D SEED=N: another stream of random numbers")
-        ->type_name("UINT");
+        .type_name("UINT");
   });
   declare_for_pixels(all, {on_sound, on_site_export}, [&] {
     return app.add_flag(
@@ -127,15 +126,15 @@ void add_options(CLI::App& app, Command command, PlayOptions& o) {
       schedule.height = size.y;
     };
     return add_word(app, "--size", set, "picture size in pixels, WIDTHxHEIGHT")
-        ->default_str(std::to_string(schedule.width) + 'x' + std::to_string(schedule.height));
+        .default_str(std::to_string(schedule.width) + 'x' + std::to_string(schedule.height));
   });
   declare(those_with_a_clock, {on_sound}, [&] {
     return add_value(app, "--fps", schedule.fps, read_rate, "frames a second of shader time", "60")
-        ->type_name("FLOAT");
+        .type_name("FLOAT");
   });
   declare(those_with_a_clock, {}, [&] {
     return add_value(app, "--time", schedule.t0, read_time, "iTime of the first frame, seconds", "0")
-        ->type_name("FLOAT");
+        .type_name("FLOAT");
   });
   declare(those_with_a_clock, {}, [&] {
     return add_value(app, "--date", schedule.date, Date::parse,
@@ -146,7 +145,7 @@ void add_options(CLI::App& app, Command command, PlayOptions& o) {
   declare(those_with_a_script, {on_sound}, [&] {
     return add_value(app, "--frames", o.frames, read_frames, "how many frames to draw",
                      std::to_string(o.frames))
-        ->type_name("INT");
+        .type_name("INT");
   });
   declare(those_with_a_script, {on_sound}, [&] {
     return add_repeated(
@@ -183,7 +182,7 @@ void add_options(CLI::App& app, Command command, PlayOptions& o) {
   declare({view, render, compare, sweep, check, accuracy}, {on_opengl}, [&] {
     return add_value(app, "--timeout", o.timeout, read_timeout,
                      "on the twin, give up on a frame after so many seconds (0: never)", "0")
-        ->type_name("FLOAT");
+        .type_name("FLOAT");
   });
   declare({render, compare, sweep, check, accuracy}, {},
           [&] { return app.add_option("--json", o.json, "also write a report to this file"); });
@@ -191,13 +190,13 @@ void add_options(CLI::App& app, Command command, PlayOptions& o) {
 
 void refuse(const PlayOptions& o, NoEffect where, const std::string& why) {
   for (const Declared& declared : o.declared)
-    if (declared.option->count() > 0 && among(declared.no_effect, where))
-      throw Error(ExitStatus::usage, declared.option->get_name() + ' ' + why);
+    if (declared.option.given() && among(declared.no_effect, where))
+      throw Error(ExitStatus::usage, declared.option.name() + ' ' + why);
 }
 
-void refuse(const CLI::App& command, std::initializer_list<const char*> names, const std::string& why) {
+void refuse(CommandLine command, std::initializer_list<const char*> names, const std::string& why) {
   for (const char* name : names)
-    if (command.count(name) > 0) throw Error(ExitStatus::usage, std::string(name) + ' ' + why);
+    if (command.given(name)) throw Error(ExitStatus::usage, std::string(name) + ' ' + why);
 }
 
 void refuse_for_player(const PlayOptions& o, const DeviceChoice& on) {
@@ -207,14 +206,10 @@ void refuse_for_player(const PlayOptions& o, const DeviceChoice& on) {
 std::string options_text(const PlayOptions& o) {
   std::string text;
   for (const auto& [option, no_effect, changes_pixels] : o.declared) {
-    if (!changes_pixels || option->count() == 0) continue;
-    const std::string name =
-        option->get_snames().empty() ? option->get_name() : '-' + option->get_snames()[0];
-    const bool is_flag = option->get_items_expected_max() == 0;
-    const bool takes_all = option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
-    const std::vector<std::string>& words = option->results();
-    for (std::size_t i = takes_all ? 0 : words.size() - 1; i < words.size(); ++i)
-      text += (text.empty() ? "" : " ") + name + (is_flag ? "" : ' ' + view::quoted(words[i]));
+    if (!changes_pixels) continue;
+    for (const std::string& word : option.words())
+      text += (text.empty() ? "" : " ") + option.shortest_name() +
+              (option.is_flag() ? "" : ' ' + view::quoted(word));
   }
   return text;
 }

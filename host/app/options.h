@@ -3,12 +3,12 @@
 // refused.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "host/app/command_line.h"
 #include "host/app/values.h"
 #include "host/player/fixed_clock.h"
 #include "host/project/project.h"
@@ -29,7 +29,7 @@ enum class NoEffect {
 
 // An option of a subcommand.
 struct Declared {
-  const CLI::Option* option = nullptr;
+  Option option;
   std::vector<NoEffect> no_effect;
   bool changes_pixels = false;  // options_text() has it
 };
@@ -49,12 +49,12 @@ struct PlayOptions {
 };
 
 // Gives a subcommand its options. `options` has to live as long as `app`; what it holds is the default.
-void add_options(CLI::App& app, Command command, PlayOptions& options);
+void add_options(CommandLine app, Command command, PlayOptions& options);
 
 // Throws Error(usage), "NAME WHY", if an option was given that has no effect there.
 void refuse(const PlayOptions& options, NoEffect where, const std::string& why);
 // The same for options by name, as they are a subcommand's own.
-void refuse(const CLI::App& command, std::initializer_list<const char*> names, const std::string& why);
+void refuse(CommandLine command, std::initializer_list<const char*> names, const std::string& why);
 // Throws Error(usage) if there is an option that only the twin has and a player of OpenGL that would ignore
 // it.
 void refuse_for_player(const PlayOptions& options, const DeviceChoice& on);

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "host/app/add_option.h"
 #include "host/app/command.h"
 #include "host/app/options.h"
 #include "host/app/output.h"
@@ -152,7 +151,7 @@ void render(const RenderOptions& options) {
   }
 }
 
-void refuse_without_effect(const CLI::App& command, const RenderOptions& options) {
+void refuse_without_effect(CommandLine command, const RenderOptions& options) {
   refuse_for_player(options, options.on);
   const OutputKind kind = output_kind(options.output.name);
   if (kind == OutputKind::sound) {
@@ -176,31 +175,31 @@ int frames_of(double seconds, double fps) {
 
 }  // namespace
 
-void add_render(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
+void add_render(CommandLine app) {
+  const CommandLine command = app.add_subcommand(
       "render", "play a shader without a window and write the picture, the video or the sound");
   const auto options = std::make_shared<RenderOptions>();
-  add_options(*command, Command::render, *options);
-  command->add_option("-o,--output", options->output.name, "what to write: " + output_help())->required();
+  add_options(command, Command::render, *options);
+  command.add_option("-o,--output", options->output.name, "what to write: " + output_help()).required();
   command
-      ->add_option("--crf", options->output.crf,
-                   "quality of a video, by its constant rate factor: " + media::crf_help())
-      ->check(CLI::NonNegativeNumber)
-      ->default_str("");
+      .add_option("--crf", options->output.crf,
+                  "quality of a video, by its constant rate factor: " + media::crf_help())
+      .not_negative()
+      .default_str("");
   add_choice<bool, bool>(
-      *command, "--chroma", options->output.full_chroma, {{"420", false}, {"444", true}},
+      command, "--chroma", options->output.full_chroma, {{"420", false}, {"444", true}},
       "420: a video keeps one colour for every four pixels, as all programs can play it; 444: it "
       "keeps all",
       "420");
-  add_value(*command, "--duration", options->duration, read_rate,
+  add_value(command, "--duration", options->duration, read_rate,
             "seconds from --time on, of a video or numbered pictures instead of --frames, or of the Sound "
             "pass, else " +
                 std::to_string(static_cast<int>(sound_seconds)) + " as on shadertoy.com")
-      ->type_name("FLOAT");
-  command->callback([options, command] {
-    refuse_without_effect(*command, *options);
+      .type_name("FLOAT");
+  command.callback([options, command] {
+    refuse_without_effect(command, *options);
     options->output.quiet = options->quiet;
-    if (command->count("--fps") == 0 && media::is_video(options->output.name))
+    if (!command.given("--fps") && media::is_video(options->output.name))
       options->schedule.fps = std::min(options->schedule.fps, media::highest_rate(options->output.name));
     if (options->duration.has_value()) options->frames = frames_of(*options->duration, options->schedule.fps);
     render(*options);

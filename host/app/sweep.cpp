@@ -4,7 +4,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "host/app/add_option.h"
 #include "host/app/command.h"
 #include "host/app/progress.h"
 #include "host/app/report.h"
@@ -158,7 +157,7 @@ void add_axis(SweepOptions& options, Axis axis) {
 
 // An axis of values that `read` takes.
 template <typename Read>
-void add_axis_option(CLI::App& command, SweepOptions& options, Axis::Kind kind, const std::string& name,
+void add_axis_option(CommandLine command, SweepOptions& options, Axis::Kind kind, const std::string& name,
                      const Read& read, const std::string& help, const std::string& default_text) {
   add_repeated(
       command, "--" + name,
@@ -168,7 +167,7 @@ void add_axis_option(CLI::App& command, SweepOptions& options, Axis::Kind kind, 
         add_axis(options, {kind, name, values, kind == Axis::Kind::size});
       },
       help)
-      ->default_str(default_text);
+      .default_str(default_text);
 }
 
 // One of two words.
@@ -231,61 +230,61 @@ void check_options(SweepOptions& options) {
 
 }  // namespace
 
-void add_sweep(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
+void add_sweep(CommandLine app) {
+  const CommandLine command = app.add_subcommand(
       "sweep",
       "play a shader with many settings and measure what each costs and how far it is from the truth");
   const auto options = std::make_shared<SweepOptions>();
-  add_options(*command, Command::sweep, *options);
+  add_options(command, Command::sweep, *options);
   add_repeated(
-      *command, "-D,--define", [options](const std::string& word) { add_define_axis(*options, word, false); },
+      command, "-D,--define", [options](const std::string& word) { add_define_axis(*options, word, false); },
       "NAME=A,B,C: an axis, a macro with several values; one value alone holds for all points");
   add_repeated(
-      *command, "--case", [options](const std::string& word) { add_define_axis(*options, word, true); },
+      command, "--case", [options](const std::string& word) { add_define_axis(*options, word, true); },
       "NAME=A,B,C: as -D, of different pictures, as scenes are: each has a reference of its own");
-  add_axis_option(*command, *options, Axis::Kind::on, "on", read_device, "A,B: players, as render takes them",
+  add_axis_option(command, *options, Axis::Kind::on, "on", read_device, "A,B: players, as render takes them",
                   "auto");
-  add_axis_option(*command, *options, Axis::Kind::size, "size", read_size,
+  add_axis_option(command, *options, Axis::Kind::size, "size", read_size,
                   "A,B: WIDTHxHEIGHT in pixels; each size has a reference of its own", "640x360");
-  add_axis_option(*command, *options, Axis::Kind::init, "init", one_of("zero", "raw"),
+  add_axis_option(command, *options, Axis::Kind::init, "init", one_of("zero", "raw"),
                   "zero, raw or both: as render has it", "zero");
-  add_axis_option(*command, *options, Axis::Kind::precise, "precise", one_of("off", "on"),
+  add_axis_option(command, *options, Axis::Kind::precise, "precise", one_of("off", "on"),
                   "off, on or both: as render has it", "off");
-  command->add_flag("--one-at-a-time", options->one_at_a_time,
-                    "vary one axis at a time around the shader's own values instead of all combinations");
-  add_value(*command, "--seed", options->seed, read_seed,
+  command.add_flag("--one-at-a-time", options->one_at_a_time,
+                   "vary one axis at a time around the shader's own values instead of all combinations");
+  add_value(command, "--seed", options->seed, read_seed,
             "the SEED of the reference; those of the runs follow", "0")
-      ->type_name("UINT");
-  add_value(*command, "--runs", options->runs, read_frames,
+      .type_name("UINT");
+  add_value(command, "--runs", options->runs, read_frames,
             "how often each point is played; with the knob SEED, each time with two other seeds", "4")
-      ->type_name("INT");
+      .type_name("INT");
   add_word(
-      *command, "--reference", [options](const std::string& word) { read_reference(*options, word); },
+      command, "--reference", [options](const std::string& word) { read_reference(*options, word); },
       "the picture that is right: a file, or NAME=VALUE,...: the shader with these settings and, else, its "
       "own");
-  add_value(*command, "--reference-frames", options->reference_frames, read_frames,
+  add_value(command, "--reference-frames", options->reference_frames, read_frames,
             "the picture that is right is the shader's own after so many frames; implies --accumulates")
-      ->type_name("INT");
-  add_value(*command, "--reference-on", options->reference_on, read_device,
+      .type_name("INT");
+  add_value(command, "--reference-on", options->reference_on, read_device,
             "draw the picture that is right there");
-  command->add_flag("--accumulates", options->accumulates,
-                    "the picture gets better from frame to frame: measure it after 1, 2, 4 ... frames");
+  command.add_flag("--accumulates", options->accumulates,
+                   "the picture gets better from frame to frame: measure it after 1, 2, 4 ... frames");
   add_word(
-      *command, "--target",
+      command, "--target",
       [options](const std::string& word) {
         for (const std::string& value : sweep::split_values(word))
           options->targets.push_back(read_target(value));
       },
       "A,B: relative MSEs; the time until each is reached is told, by the slope if it is beyond --frames");
-  add_value(*command, "--max-frames", options->max_frames, read_frames,
+  add_value(command, "--max-frames", options->max_frames, read_frames,
             "go on beyond --frames until the least --target is reached, but not beyond this")
-      ->type_name("INT");
-  command->add_option(
+      .type_name("INT");
+  command.add_option(
       "-o,--output", options->output,
       "write a line for each point into this .csv; single runs go into a .runs.csv beside it, from which "
       "an interrupted sweep goes on");
-  command->add_option("--plot", options->plot, "plot error over time into this .svg or .png, by gnuplot");
-  command->callback([options] {
+  command.add_option("--plot", options->plot, "plot error over time into this .svg or .png, by gnuplot");
+  command.callback([options] {
     check_options(*options);
     run_sweep(*options);
   });
