@@ -30,12 +30,6 @@ bool among(const List& list, T value) {
   return std::find(list.begin(), list.end(), value) != list.end();
 }
 
-void refuse_for_project(const PlayOptions& o, const Project& project) {
-  if (project.dialect != Dialect::vscode)
-    refuse(o, on_site_rules, "is for the rules of vscode (--dialect vscode), not for " + o.shader);
-  if (project.json.empty()) refuse(o, on_files, "is for a Shadertoy JSON, not for " + o.shader);
-}
-
 }  // namespace
 
 void add_options(CommandLine app, Command command, PlayOptions& o) {
@@ -224,6 +218,12 @@ void check_pixel(glm::ivec2 pixel, glm::ivec2 size) {
   throw Error(ExitStatus::usage, "--pixel " + std::to_string(pixel.x) + ',' + std::to_string(pixel.y) +
                                      ": expected X,Y inside the " + std::to_string(size.x) + 'x' +
                                      std::to_string(size.y) + " picture");
+}
+
+void refuse_for_project(const PlayOptions& o, const Project& project) {
+  if (project.dialect != Dialect::vscode)
+    refuse(o, on_site_rules, "is for the rules of vscode (--dialect vscode), not for " + o.shader);
+  if (project.json.empty()) refuse(o, on_files, "is for a Shadertoy JSON, not for " + o.shader);
 }
 
 Project load(const PlayOptions& o, Warnings warnings) {

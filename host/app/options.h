@@ -59,6 +59,9 @@ void refuse(CommandLine command, std::initializer_list<const char*> names, const
 // it.
 void refuse_for_player(const PlayOptions& options, const DeviceChoice& on);
 
+// Throws Error(usage) if there is an option that has no effect on such a project.
+void refuse_for_project(const PlayOptions& options, const Project& project);
+
 // The options that change a pixel, as they were given, to be typed again behind a command that looks into a
 // frame; but for those of the frame itself, which view::commands_for_pixel() says.
 std::string options_text(const PlayOptions& options);

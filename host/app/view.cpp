@@ -22,6 +22,7 @@ void run(const ViewCommand& o, CommandLine command) {
   view::ViewOptions options;
   options.shader = o.shader;
   options.load = o.load;
+  options.accept = [&o](const Project& project) { refuse_for_project(o, project); };
   options.size = {schedule.width, schedule.height};
   options.clock = {.t0 = schedule.t0, .rate = {}, .date = {}, .paused = o.paused};
   if (o.fixed_rate) options.clock.rate = schedule.fps;

@@ -40,7 +40,7 @@ class View {
         dashboard_(window_, options.quiet),
         presenter_(window_.context()),
         read_(FileWatch::now()),
-        playing_(options.shader, load(options.shader)),
+        playing_(options.shader, load(options.shader, options.accept)),
         clock_(options.clock, host_rules(playing_.project())),
         capture_(options.output.empty() ? stem_of(options.shader) : options.output),
         sound_(options.sound_player, [this](const std::string& line) { warn({line}); }),
@@ -74,8 +74,9 @@ class View {
  private:
   // Loading, which happens in the reloader's thread but for the first time.
 
-  Loaded load(const fs::path& shader) {
+  Loaded load(const fs::path& shader, const std::function<void(const Project&)>& accept = {}) {
     Project project = load_project(shader, options_.load);
+    if (accept) accept(project);
     warn(all_warnings(project));
     auto stage = options_.other_player ? make_uploading_stage(window_, project, options_.other_player)
                                        : make_shared_stage(window_, project, options_.player);

@@ -15,7 +15,8 @@ namespace shadertwin::view {
 struct ViewOptions {
   std::filesystem::path shader;
   LoadOptions load;
-  glm::ivec2 size{640, 360};  // of the picture at resolution 1, in pixels
+  std::function<void(const Project&)> accept;  // throws if the first project isn't what the options are for
+  glm::ivec2 size{640, 360};                   // of the picture at resolution 1, in pixels
   LiveSettings clock;
   double recording_rate = 60.0;  // frames a second of shader time while recording
   std::string pass;              // shown at first; empty: the last one

@@ -47,6 +47,9 @@ TEST_F(BadInputToView, ShadersThatNeverWorked) {
   expect_end(2, "a.glsl --pass nonsense", {}, {"--pass nonsense"});
   expect_end(2, "a.glsl --size 0x0", {}, {"--size 0x0"});
   expect_end(2, "a.glsl --on vulkan", {}, {"vulkan"});
+  expect_end(2, "a.glsl --media .", {}, {"--media is for a Shadertoy JSON, not for a.glsl"});
+  expect_end(2, "a.glsl --dialect shadertoy --vscode-quirks", {},
+             {"--vscode-quirks is for the rules of vscode"});
 }
 
 TEST_F(BadInputToView, AShaderThatIsRemovedAndATextureThatTurnsToGarbage) {
