@@ -45,7 +45,8 @@ const small = ['--size', '32x18', '--players', 'llvmpipe', '--frames', '1'];
 
 test('a wrong picture is a suspect', () => {
   const file = shader('wrong.glsl', 'color = vec4(uv * 1.125, sin(iTime), 1.0);');
-  assert.deepEqual(harness([file], { options: small }), { ...harness([file], { options: small }), status: 0, verdicts: ['same'] });
+  const right = harness([file], { options: small });
+  assert.deepEqual([right.status, right.verdicts], [0, ['same']]);
   const { status, verdicts } = harness([file], { program: mistaken('1.125', '0.875'), options: small });
   assert.deepEqual([status, verdicts], [1, ['suspect']]);
 });
