@@ -81,6 +81,10 @@ void expect_bits_of_first(const std::string& backend, const std::string& what,
       }
 }
 
+bool is_double(const std::string& backend) {
+  return backend.ends_with("double");
+}
+
 std::string name_of(const Probe& probe) {
   std::string name = probe.file + " " + std::to_string(probe.function);
   for (const auto& [key, value] : probe.defines) name += " " + key + "=" + value;
@@ -115,6 +119,18 @@ Image OnEveryBackend::play(const Take& take) const {
 std::vector<std::string> backend_names() {
   std::vector<std::string> names;
   for (const Backend& backend : backends()) names.push_back(backend.name);
+  return names;
+}
+
+std::vector<std::string> single_backend_names() {
+  std::vector<std::string> names = backend_names();
+  std::erase_if(names, is_double);
+  return names;
+}
+
+std::vector<std::string> double_backend_names() {
+  std::vector<std::string> names = backend_names();
+  std::erase_if(names, [](const std::string& name) { return !is_double(name); });
   return names;
 }
 

@@ -52,9 +52,17 @@ class OnEveryBackend : public testing::TestWithParam<std::string> {
   Image play(const Take& take) const;
 };
 
-#define SHADERTWIN_ON_EVERY_BACKEND(suite)                              \
-  INSTANTIATE_TEST_SUITE_P(, suite, testing::ValuesIn(backend_names()), \
+#define SHADERTWIN_ON_BACKENDS(instance, suite, names)                \
+  INSTANTIATE_TEST_SUITE_P(instance, suite, testing::ValuesIn(names), \
                            [](const testing::TestParamInfo<std::string>& i) { return i.param; })
+
+#define SHADERTWIN_ON_EVERY_BACKEND(suite) SHADERTWIN_ON_BACKENDS(, suite, backend_names())
+
+// For functions that whole paths call: Paths and Scenes have them in double every day, and each by itself is
+// a twin more to compile, which waits for the night.
+#define SHADERTWIN_IN_DOUBLE_AT_NIGHT(suite)               \
+  SHADERTWIN_ON_BACKENDS(, suite, single_backend_names()); \
+  SHADERTWIN_ON_BACKENDS(Nightly, suite, double_backend_names())
 
 // For tests of many variants of a shader: a twin takes seconds to compile each.
 #define SHADERTWIN_ON_FIRST_BACKEND(suite)                                    \
@@ -62,5 +70,7 @@ class OnEveryBackend : public testing::TestWithParam<std::string> {
                            [](const testing::TestParamInfo<std::string>& i) { return i.param; })
 
 std::vector<std::string> backend_names();
+std::vector<std::string> single_backend_names();
+std::vector<std::string> double_backend_names();
 
 }  // namespace shadertwin

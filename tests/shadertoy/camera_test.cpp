@@ -9,9 +9,9 @@ namespace shadertwin {
 namespace {
 
 class GetRay : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(GetRay);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(GetRay);
 class OrbitCamera : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(OrbitCamera);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(OrbitCamera);
 
 using std::numbers::pi;
 constexpr double u = unit_roundoff;

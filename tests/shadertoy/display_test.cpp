@@ -9,9 +9,9 @@ namespace shadertwin {
 namespace {
 
 class Accumulate : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Accumulate);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(Accumulate);
 class Srgb : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Srgb);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(Srgb);
 
 const Probe curves{.file = "display.glsl", .function = 0, .inputs = 2, .outputs = 1};
 const Probe means{.file = "display.glsl", .function = 1, .inputs = 2, .outputs = 1};

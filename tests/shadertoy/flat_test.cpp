@@ -8,9 +8,9 @@ namespace shadertwin {
 namespace {
 
 class HitQuad : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(HitQuad);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(HitQuad);
 class HitTriangle : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(HitTriangle);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(HitTriangle);
 
 constexpr double far = 1e18;
 constexpr double u = unit_roundoff;

@@ -11,9 +11,9 @@ namespace shadertwin {
 namespace {
 
 class Fresnel : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Fresnel);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(Fresnel);
 class BeerLambert : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(BeerLambert);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(BeerLambert);
 
 const Probe reflectance{.file = "fresnel.glsl", .function = 0};
 const Probe absorption{.file = "fresnel.glsl", .function = 1};

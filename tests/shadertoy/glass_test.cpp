@@ -10,7 +10,7 @@ namespace shadertwin {
 namespace {
 
 class Glass : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Glass);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(Glass);
 
 const Probe ball{.file = "glass.glsl", .inputs = 3, .outputs = 3};
 

@@ -10,7 +10,7 @@ namespace shadertwin {
 namespace {
 
 class Hash : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Hash);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(Hash);
 
 const Probe words{.file = "hash.glsl", .inputs = 2, .outputs = 3};
 const Probe numbers{.file = "random_numbers.glsl", .inputs = 1, .outputs = 1};

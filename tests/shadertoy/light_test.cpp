@@ -8,9 +8,9 @@ namespace shadertwin {
 namespace {
 
 class QuadLights : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(QuadLights);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(QuadLights);
 class Shadows : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Shadows);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(Shadows);
 
 constexpr double u = unit_roundoff;
 const Probe lights{.file = "lights.glsl", .inputs = 5, .outputs = 3};

@@ -9,7 +9,7 @@ namespace shadertwin {
 namespace {
 
 class Microfacets : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Microfacets);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(Microfacets);
 
 using std::numbers::pi;
 const Probe terms{.file = "microfacets.glsl", .function = 0, .inputs = 2, .outputs = 3};

@@ -8,7 +8,7 @@ namespace shadertwin {
 namespace {
 
 class SpawnRay : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(SpawnRay);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(SpawnRay);
 
 constexpr std::size_t cases = 400 * 1024;
 const Probe sphere{.file = "respawn.glsl", .function = 0, .inputs = 6, .outputs = 2};

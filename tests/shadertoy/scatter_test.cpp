@@ -10,7 +10,7 @@ namespace shadertwin {
 namespace {
 
 class Scatter : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Scatter);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(Scatter);
 
 using std::numbers::pi;
 constexpr double u = unit_roundoff;

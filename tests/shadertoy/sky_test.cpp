@@ -10,7 +10,7 @@ namespace shadertwin {
 namespace {
 
 class Sky : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Sky);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(Sky);
 
 const Probe sky{.file = "sky.glsl"};
 constexpr double bar = 1e-6;  // 3e-7 of the decoding, and the filter's own rounding

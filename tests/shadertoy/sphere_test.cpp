@@ -9,9 +9,9 @@ namespace shadertwin {
 namespace {
 
 class HitSphere : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(HitSphere);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(HitSphere);
 class HitMovingSphere : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(HitMovingSphere);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(HitMovingSphere);
 
 constexpr double far = 1e18;
 constexpr double u = unit_roundoff;

@@ -11,7 +11,7 @@ namespace shadertwin {
 namespace {
 
 class Warps : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Warps);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(Warps);
 
 using std::numbers::pi;
 
