@@ -5,22 +5,32 @@ stamps=$build/passed
 # test_names: as CTest knows them.
 test_names() { ctest --test-dir "$build" -N | sed -nE 's/^ *Test +#[0-9]+: (.*)$/\1/p'; }
 
-# What tests of every folder may read: the programs and libraries that they start, the headers that twins are compiled
-# from, every file that is no C++, and the list of tests, to which tests/tools holds the README.
+# What tests of every folder may read: the libraries that are loaded when they are needed, the headers that twins are
+# compiled from, every file that is no C++, and the list of tests, to which tests/tools holds the README.
 shared_sum=
 shared_checksum() {
   [[ -n $shared_sum ]] || shared_sum=$({
     cd "$root"
     test_names
-    sha256sum "$build"/shadertwin "$build"/shadertwin-emit "$build"/cubemap_faces "$build"/*.so
+    sha256sum "$build"/*.so
     git ls-files -z --cached --others --exclude-standard |
       grep -zvE '^(host|tests|tools)/.*\.(cpp|h)$|^reference/.*\.cpp$' | xargs -0 sha256sum 2>/dev/null || true
   } | sha256sum | cut -c 1-64)
 }
 
+# programs FOLDER: those that its tests start. They have their paths from CMake: of one program, or of the whole build.
+programs() {
+  local lists=$root/tests/$1/CMakeLists.txt
+  [[ -e $lists ]] || lists=$root/tests/CMakeLists.txt  # two programs in one folder: glsl and glsl_probes
+  echo "$1_test"
+  sed -nE 's/.*TARGET_FILE:([a-z_-]+).*/\1/p' "$lists"
+  grep -q CMAKE_BINARY_DIR "$lists" && echo shadertwin shadertwin-emit | tr ' ' '\n' || true
+}
+
 # stamp FOLDER: a checksum of all that its tests run and read. Call shared_checksum first.
 stamp() {
-  { echo "$shared_sum" && sha256sum "$build/$1_test" 2>/dev/null || true; } | sha256sum | cut -c 1-64
+  { echo "$shared_sum" && cd "$build" && programs "$1" | sort -u | xargs sha256sum 2>/dev/null || true; } |
+    sha256sum | cut -c 1-64
 }
 
 # unchanged_folders: those whose tests passed with the stamp that they have now.
