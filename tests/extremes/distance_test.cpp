@@ -8,7 +8,7 @@ namespace shadertwin {
 namespace {
 
 class Distance : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Distance);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(Distance);
 
 constexpr double far = 1e18;
 constexpr double u = unit_roundoff;

@@ -11,7 +11,7 @@ namespace shadertwin {
 namespace {
 
 class Materials : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Materials);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(Materials);
 
 using namespace scattering;  // NOLINT(google-build-using-namespace)
 constexpr double u = unit_roundoff;

@@ -8,7 +8,7 @@ namespace shadertwin {
 namespace {
 
 class Scale : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Scale);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(Scale);
 
 Take stage(std::vector<std::pair<std::string, std::string>> defines) {
   return {.file = "stage_image.glsl", .width = 48, .height = 27, .defines = std::move(defines)};

@@ -10,7 +10,7 @@ namespace shadertwin {
 namespace {
 
 class Size : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Size);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(Size);
 
 // Light everywhere, one sample a pixel, and that of double but for the few paths that rounding sends
 // elsewhere.

@@ -8,7 +8,7 @@ namespace shadertwin {
 namespace {
 
 class Surfaces : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Surfaces);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(Surfaces);
 
 const std::vector<double> radii = {1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6};
 const std::vector<double> shifts = {0.0, 1.0, 100.0, 1e5};

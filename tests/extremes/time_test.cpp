@@ -8,7 +8,7 @@ namespace shadertwin {
 namespace {
 
 class Time : public OnEveryBackend {};
-SHADERTWIN_ON_EVERY_BACKEND(Time);
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(Time);
 
 constexpr double u = unit_roundoff;
 constexpr int a_year = 365 * 24 * 3600;  // seconds
