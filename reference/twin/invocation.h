@@ -170,10 +170,23 @@ class UniformReader {
   static constexpr bool is_sampler =
       std::is_same_v<T, sampler2D> || std::is_same_v<T, sampler3D> || std::is_same_v<T, samplerCube>;
 
+  // Arrays of samplers, which nothing sets.
+  template <class T>
+  static constexpr bool are_samplers() {
+    if constexpr (is_sampler<T>)
+      return true;
+    else if constexpr (!std::is_arithmetic_v<T> && !std::is_same_v<T, Float>)
+      return are_samplers<std::remove_cvref_t<decltype(std::declval<T&>()[0])>>();
+    else
+      return false;
+  }
+
   template <class T>
   static void read(const twin::UniformValue& value, T& target) {
     if constexpr (is_sampler<T>) {
       if (value.kind == Kind::sampler) target = *static_cast<const T*>(value.data);
+    } else if constexpr (are_samplers<T>()) {
+      return;
     } else if (value.kind != Kind::sampler) {
       int at = 0;
       read_at(value, at, target);
