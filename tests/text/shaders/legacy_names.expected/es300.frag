@@ -26,6 +26,6 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 
-in vec2 unused ;
+vec2 unused = vec2(0) ;
 float level ( ) { return texture ( iChannel0 , gl_FragCoord . xy / iResolution . xy ) . x + iTime ; }
 void main ( ) { shadertoy_out_color = vec4(0); shadertoy_out_color = vec4 ( clamp ( level ( ) , 0.0 , 1.0 ) ) ; }

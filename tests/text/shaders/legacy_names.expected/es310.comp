@@ -26,7 +26,7 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 
-in vec2 unused ;
+vec2 unused = vec2(0) ;
 float level ( ) { return texture ( iChannel0 , shadertwin_frag_coord . xy / iResolution . xy ) . x + iTime ; }
 void shadertwin_main ( ) { shadertoy_out_color = vec4(0); shadertoy_out_color = vec4 ( clamp ( level ( ) , 0.0 , 1.0 ) ) ; }
 void main() { ivec2 shadertwin_pixel = ivec2(gl_GlobalInvocationID.xy) + shadertwin_origin;

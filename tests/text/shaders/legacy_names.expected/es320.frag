@@ -26,6 +26,6 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 
-in vec2 unused ;
+precise vec2 unused = vec2 ( 0 ) ;
 float level ( ) { precise bool shadertwin_test; precise float shadertwin_result; return (shadertwin_result = (texture ( iChannel0 , gl_FragCoord . xy / iResolution . xy ) . x + iTime)) ; }
 void main ( ) { precise bool shadertwin_test; shadertoy_out_color = vec4 ( 0 ) ; shadertoy_out_color = vec4 ( clamp ( level ( ) , 0.0 , 1.0 ) ) ; }

@@ -12,6 +12,7 @@ struct Shader : Invocation {
 
   void initialise__(Bool active) {
     unwritten(active, shadertoy_out_color);
+    unwritten(active, unused);
   }
   template <class Bind>
   void bind_uniforms__(Bind&& bind) {
@@ -22,7 +23,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = true;
   static constexpr bool uses_stop__ = false;
-  static constexpr std::size_t components__ = 0;
+  static constexpr std::size_t components__ = 2;
 
 #line 4 "tests/text/shaders/legacy_names.glsl"
   Float level(Bool active) {
@@ -30,7 +31,7 @@ struct Shader : Invocation {
     return texture(active, iChannel0, gl_FragCoord.xy() / vec2(iResolution.xy())).x + iTime;
 #line 4 "tests/text/shaders/legacy_names.glsl"
   }
-#line 34 "twin.cpp"
+#line 35 "twin.cpp"
 
 #line 5 "tests/text/shaders/legacy_names.glsl"
   void main(Bool active) {
@@ -38,7 +39,7 @@ struct Shader : Invocation {
     set__(active, shadertoy_out_color, vec4(clamp(level(active), Float(0.0f), Float(1.0f))));
 #line 5 "tests/text/shaders/legacy_names.glsl"
   }
-#line 42 "twin.cpp"
+#line 43 "twin.cpp"
 
 };
 

@@ -12,6 +12,7 @@ struct Shader : Invocation {
 
   void initialise__() {
     unwritten(shadertoy_out_color);
+    unwritten(unused);
   }
   template <class Bind>
   void bind_uniforms__(Bind&& bind) {
@@ -22,7 +23,7 @@ struct Shader : Invocation {
   static constexpr bool uses_derivatives__ = false;
   static constexpr bool uses_implicit_lod__ = true;
   static constexpr bool uses_stop__ = false;
-  static constexpr std::size_t components__ = 0;
+  static constexpr std::size_t components__ = 2;
 
 #line 4 "tests/text/shaders/legacy_names.glsl"
   Float level() {
@@ -30,7 +31,7 @@ struct Shader : Invocation {
     return texture(iChannel0, gl_FragCoord.xy() / iResolution.xy()).x + iTime;
 #line 4 "tests/text/shaders/legacy_names.glsl"
   }
-#line 34 "twin.cpp"
+#line 35 "twin.cpp"
 
 #line 5 "tests/text/shaders/legacy_names.glsl"
   void main() {
@@ -38,7 +39,7 @@ struct Shader : Invocation {
     shadertoy_out_color = vec4(clamp(level(), 0.0f, 1.0f));
 #line 5 "tests/text/shaders/legacy_names.glsl"
   }
-#line 42 "twin.cpp"
+#line 43 "twin.cpp"
 
 };
 
