@@ -155,6 +155,13 @@ void GlDevice::draw(const DrawCall& call) {
 }
 
 void GlDevice::bind_channels(const CompiledPass& pass, std::span<const ChannelBinding> channels) {
+  // Samplers that nothing sets read unit 0: empty, unless it is a channel, and not what was bound there last,
+  // which may be the very target.
+  if (!pass.uniforms->samples(0)) {
+    gl_.ActiveTexture(GL_TEXTURE0);
+    for (const GLenum kind : {GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP}) gl_.BindTexture(kind, 0);
+    gl_.BindSampler(0, 0);
+  }
   for (std::size_t i = 0; i < channels.size(); ++i) {
     if (!pass.uniforms->samples(i)) continue;
     const Surface& texture = surface(channels[i].texture);
