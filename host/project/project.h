@@ -123,7 +123,8 @@ struct Pass {
   // pixel is drawn.
   std::optional<PassSource> vertex;
   std::vector<OtherUniform> other_uniforms;
-  bool has_vr = false;    // it defines mainVR
+  std::vector<std::string> unset_inputs;  // that no vertex shader gives: variables here, refused by browsers
+  bool has_vr = false;                    // it defines mainVR
   bool keyboard = false;  // the extension's iKeyboard is bound: 256x4, rows held, pressed, toggled, released
   bool strict = false;    // #StrictCompatibility: main() is the host's even if the user's text has one
 };

@@ -196,6 +196,7 @@ class Adopter {
 
   // No stage before this one gives it a value.
   void warn_of_input(const Declaration::Name& name) {
+    pass_.unset_inputs.emplace_back(name.text);
     const SourceLine at = line_of(name);
     const std::string place =
         at.file < 0 ? pass_.name
