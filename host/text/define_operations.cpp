@@ -15,7 +15,6 @@ namespace shadertwin {
 namespace {
 
 using glslang::TIntermAggregate;
-using glslang::TIntermConstantUnion;
 using glslang::TIntermTyped;
 
 // The functions of numbers. Each computes what GLSL has first, so that nothing needs to branch.
