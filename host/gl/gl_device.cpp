@@ -145,6 +145,11 @@ void GlDevice::draw(const DrawCall& call) {
   if (timed) timers_->begin(call.pass);
   gl_.UseProgram(pass.program->name());
   pass.uniforms->set(call.uniforms, call.custom_uniforms);
+  // Samplers that nothing sets read unit 0: empty, unless it is a channel, and not what was bound there last,
+  // which may be the very target.
+  const bool may_be_unset = source.vertex.has_value() ||
+                            std::ranges::any_of(source.other_uniforms, [](const auto& u) { return !u.set; });
+  if (may_be_unset && !pass.uniforms->samples(0)) empty_unit_0();
   bind_channels(pass, call.channels);
   if (pass.compute)
     dispatch(pass, target);
@@ -154,14 +159,13 @@ void GlDevice::draw(const DrawCall& call) {
   if (timed) timers_->end(call.pass);
 }
 
+void GlDevice::empty_unit_0() {
+  gl_.ActiveTexture(GL_TEXTURE0);
+  for (const GLenum kind : {GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP}) gl_.BindTexture(kind, 0);
+  gl_.BindSampler(0, 0);
+}
+
 void GlDevice::bind_channels(const CompiledPass& pass, std::span<const ChannelBinding> channels) {
-  // Samplers that nothing sets read unit 0: empty, unless it is a channel, and not what was bound there last,
-  // which may be the very target.
-  if (!pass.uniforms->samples(0)) {
-    gl_.ActiveTexture(GL_TEXTURE0);
-    for (const GLenum kind : {GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP}) gl_.BindTexture(kind, 0);
-    gl_.BindSampler(0, 0);
-  }
   for (std::size_t i = 0; i < channels.size(); ++i) {
     if (!pass.uniforms->samples(i)) continue;
     const Surface& texture = surface(channels[i].texture);

@@ -82,6 +82,7 @@ class GlDevice final : public Device {
   const Surface& surface(TextureId id) const { return surfaces_[static_cast<std::size_t>(id)]; }
   TextureId add(Surface surface);
   GLuint sampler(const Sampler& sampler);
+  void empty_unit_0();
   void bind_channels(const CompiledPass& pass, std::span<const ChannelBinding> channels);
   void dispatch(const CompiledPass& pass, const Surface& target);
   void draw_triangles(const CompiledPass& pass, const Surface& target, bool clear, bool own_vertices);
