@@ -112,6 +112,12 @@ struct OtherUniform {
   bool is_block = false;  // a uniform block, which keeps its pass from being drawn
 };
 
+// An input of a pass that has no vertex shader: a variable here, refused by browsers where it is used.
+struct UnsetInput {
+  std::string name;
+  SourceLine at;
+};
+
 struct Pass {
   std::string name;  // "Image", "Buffer A" ...; for the extension the file's stem
   std::string code;  // the user's own text: the body without defines and Common
@@ -123,8 +129,8 @@ struct Pass {
   // pixel is drawn.
   std::optional<PassSource> vertex;
   std::vector<OtherUniform> other_uniforms;
-  std::vector<std::string> unset_inputs;  // that no vertex shader gives: variables here, refused by browsers
-  bool has_vr = false;                    // it defines mainVR
+  std::vector<UnsetInput> unset_inputs;
+  bool has_vr = false;    // it defines mainVR
   bool keyboard = false;  // the extension's iKeyboard is bound: 256x4, rows held, pressed, toggled, released
   bool strict = false;    // #StrictCompatibility: main() is the host's even if the user's text has one
 };

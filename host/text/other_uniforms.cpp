@@ -144,7 +144,7 @@ std::vector<Declaration> declarations(std::string_view text, const std::vector<T
 
 class Adopter {
  public:
-  Adopter(Project& project, std::size_t index, Pass& pass)
+  Adopter(const Project& project, std::size_t index, Pass& pass)
       : project_(project), index_(static_cast<int>(index)), pass_(pass) {}
 
   void adopt() {
@@ -194,19 +194,6 @@ class Adopter {
     pass_.other_uniforms.push_back({std::string(name.text), line_of(name), set});
   }
 
-  // No stage before this one gives it a value.
-  void warn_of_input(const Declaration::Name& name) {
-    pass_.unset_inputs.emplace_back(name.text);
-    const SourceLine at = line_of(name);
-    const std::string place =
-        at.file < 0 ? pass_.name
-                    : project_.files[static_cast<std::size_t>(at.file)] + ":" + std::to_string(at.line);
-    std::string warning =
-        place + ": warning: no vertex shader sets the input '" + std::string(name.text) + "'";
-    if (std::ranges::find(project_.warnings, warning) == project_.warnings.end())
-      project_.warnings.push_back(std::move(warning));
-  }
-
   void adopt(const Declaration& declaration, const std::string& body, const std::vector<Token>& tokens) {
     // Without a vertex shader an input is a variable, which nothing sets but for those that have a meaning.
     const bool is_variable = declaration.is_input && !pass_.vertex.has_value();
@@ -219,7 +206,8 @@ class Adopter {
       changed = changed || gone || !variable.empty();
       text += variable;
       if (variable.empty() && !gone) text += word + declaration.declared(name);
-      if (variable.empty() && is_variable) warn_of_input(name);
+      if (variable.empty() && is_variable)
+        pass_.unset_inputs.push_back({std::string(name.text), line_of(name)});
     }
     if (changed)
       replace(body, declaration.begin, declaration.end, text);
@@ -330,7 +318,7 @@ class Adopter {
                        [&](const Edit& edit) { return at >= edit.begin && at < edit.begin + edit.length; });
   }
 
-  Project& project_;
+  const Project& project_;
   int index_;
   Pass& pass_;
   bool only_main_ = false;
@@ -344,7 +332,7 @@ class Adopter {
 
 }  // namespace
 
-void adopt_other_uniforms(Project& project, std::size_t pass_index, Pass& pass) {
+void adopt_other_uniforms(const Project& project, std::size_t pass_index, Pass& pass) {
   Adopter(project, pass_index, pass).adopt();
 }
 

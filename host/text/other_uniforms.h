@@ -23,8 +23,8 @@ namespace shadertwin {
 //
 // A pass of the extension's that has mainImage() gets `time`, `resolution` and `mouse`, as there. What else a
 // pass declares and nothing sets is zero, a sampler what is on iChannel0: pass.other_uniforms tells. An input
-// of a pass without a vertex shader becomes a variable, of which project.warnings tell where it has no
+// of a pass without a vertex shader becomes a variable, of which pass.unset_inputs tells where it has no
 // meaning above. Lines stay where they are.
-void adopt_other_uniforms(Project& project, std::size_t pass_index, Pass& pass);
+void adopt_other_uniforms(const Project& project, std::size_t pass_index, Pass& pass);
 
 }  // namespace shadertwin

@@ -81,12 +81,12 @@ class Limits {
 
   // Neither host has a vertex shader with outputs.
   void unmatched_inputs() {
-    const std::vector<std::string>& unset = parsed_.pass.unset_inputs;
+    const std::vector<UnsetInput>& unset = parsed_.pass.unset_inputs;
     std::set<int> inputs;
     for (const Variable& variable : tree_.declarations().variables())
       if (variable.place == Variable::Place::global &&
-          std::ranges::find(unset, tree_.tokens()[static_cast<std::size_t>(variable.name)].text) !=
-              unset.end())
+          std::ranges::find(unset, tree_.tokens()[static_cast<std::size_t>(variable.name)].text,
+                            &UnsetInput::name) != unset.end())
         inputs.insert(variable.name);
     for (int token = 0; !inputs.empty() && token < static_cast<int>(tree_.tokens().size()); ++token) {
       const int declaration = tree_.declarations().declaration_of(token);
