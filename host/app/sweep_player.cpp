@@ -154,7 +154,6 @@ SweepPlayer::Take SweepPlayer::take(Opened& opened, const PlayOptions& options, 
   FixedClock clock(options.schedule, host_rules(project));
   Take take;
   sweep::SteadyTimes times;
-  std::size_t timed_frames = 0;
   // The first frame is left out: most of the compiling is in it.
   const auto draw = [&, &player = *player](bool timed) {
     Frame frame = clock.next();
@@ -168,7 +167,6 @@ SweepPlayer::Take SweepPlayer::take(Opened& opened, const PlayOptions& options, 
     for (const double pass : player.milliseconds()) gpu += std::max(pass, 0.0);
     take.gpu = gpu > 0.0;
     times.add(take.gpu ? gpu : processor);
-    ++timed_frames;
   };
   int end = frames;
   for (int i = 1; i <= end; ++i) {
@@ -182,7 +180,7 @@ SweepPlayer::Take SweepPlayer::take(Opened& opened, const PlayOptions& options, 
       end = std::min(*options_.max_frames, 2 * end);
   }
   if (shown != last) take.last = player->read(last);
-  while (timed_frames < least_timed_frames) draw(true);
+  while (times.count() < least_timed_frames) draw(true);
   const auto late = std::chrono::steady_clock::now() + patience;
   while (take.gpu && !times.steady() && std::chrono::steady_clock::now() < late) draw(true);
   take.milliseconds = times.last();

@@ -11,6 +11,7 @@ class SteadyTimes {
  public:
   // The time of one frame, in milliseconds, in the order of frames.
   void add(double milliseconds) { all_.push_back(milliseconds); }
+  std::size_t count() const { return all_.size(); }
   // Whether the last two blocks of frames have medians within a fiftieth of one another.
   bool steady() const;
   // Those of the last two blocks, or of as many frames as there are.
