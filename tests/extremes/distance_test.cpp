@@ -18,10 +18,6 @@ Probe intersect(int function) {
   return {.file = "intersect.glsl", .function = function, .inputs = 5, .outputs = 2};
 }
 
-bool hit(const Table& got, std::size_t i) {
-  return got.at(i, 1).w == 1.0F;
-}
-
 // The largest error of t over the radius grows with the distance, and no faster.
 TEST_P(Distance, BallsAreHitAtTheirPlaceFromTenToAMillionRadii) {
   Bar decision("balls from afar, hit or miss");

@@ -66,10 +66,6 @@ Truth truth_of(const Table& inputs, std::size_t i, bool as_triangle) {
   return truth;
 }
 
-bool hit(const Table& got, std::size_t i) {
-  return got.at(i, 1).w == 1.0F;
-}
-
 // Shapes with edges from 1e-3 to 1e4 and aspects up to 1e6, rays from 0.1 to 100 sizes away to points in and
 // around them.
 std::vector<Case> random_cases(std::uint64_t seed) {

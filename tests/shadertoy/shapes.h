@@ -27,6 +27,11 @@ inline glm::dvec3 random_across(Random& random, const glm::dvec3& d) {
   return glm::normalize(glm::cross(d, random_direction(random)));
 }
 
+// What intersect.glsl says of a case.
+inline bool hit(const Table& got, std::size_t i) {
+  return got.at(i, 1).w == 1.0F;
+}
+
 inline glm::vec4 texel(const glm::dvec3& v, double w = 0.0) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
 }

@@ -54,10 +54,6 @@ Roots roots_of(const Table& inputs, std::size_t i) {
           std::sqrt(std::max(1.0L - miss2 / (radius * radius), 0.0L))};
 }
 
-bool hit(const Table& got, std::size_t i) {
-  return got.at(i, 1).w == 1.0F;
-}
-
 // Rays towards and past spheres of radius 1e-3 to 1e3, from 1.5 to 1e5 radii away or from inside.
 std::vector<Case> random_cases(std::uint64_t seed) {
   Random random(seed);
