@@ -40,11 +40,17 @@
 #define NEGATIVE_RADIUS 0
 #endif
 
-// Random numbers. 0: PCG4D keyed by pixel, sample and dimension. 1: pairs of Owen-scrambled Sobol points: noise falls
-// faster than with independent numbers where the picture is smooth; about ten times the integer work. 2: a float seed
-// that grows by 0.1 a draw and is hashed, as in the report's assignment, but from the sample number, never the time.
+// Random numbers. 0: PCG4D keyed by pixel, sample and dimension. 1: pairs of Owen-scrambled Sobol points, which spread
+// evenly over a pixel's samples, for the camera ray and the first SOBOL_BOUNCES surfaces, and PCG4D from there on. 2: a
+// float seed that grows by 0.1 a draw and is hashed, as in the report's assignment, but from the sample number, never
+// the time.
 #ifndef RANDOM_NUMBERS
-#define RANDOM_NUMBERS 0
+#define RANDOM_NUMBERS 1
+#endif
+
+// Each surface more takes time, and the further along a path, the less a number decides of the pixel's noise.
+#ifndef SOBOL_BOUNCES
+#define SOBOL_BOUNCES 1
 #endif
 
 // Another stream of random numbers for every whole number: the same picture with other noise.
@@ -103,6 +109,9 @@
 #endif
 #if RANDOM_NUMBERS < 0 || RANDOM_NUMBERS > 2
 #error RANDOM_NUMBERS is 0 (PCG4D), 1 (Sobol) or 2 (float seed)
+#endif
+#if SOBOL_BOUNCES < 0
+#error SOBOL_BOUNCES is a number of surfaces
 #endif
 #if MASKING < 0 || MASKING > 2
 #error MASKING is 0 (height-correlated Smith), 1 (separable Smith) or 2 (Schlick)
@@ -327,31 +336,34 @@ uvec2 sobolOwen(uint index, uint shuffle, uint scramble)
     return uvec2(reverseBits(laineKarras(i, scramble)), reverseBits(laineKarras(pascal, hash32(scramble))));
 }
 
-// Four uniform numbers in [0, 1). `stream` is (pixel x, pixel y, sample); `dimension` says what they are for, so that
-// no number is ever used twice, whatever path came before. 24 bits: the largest is 1 - 2^-24.
-vec4 random4(uvec3 stream, uint dimension)
-{
-#if RANDOM_NUMBERS == 0
-    return vec4(pcg4d(uvec4(stream, dimension + 2654435769u * uint(SEED))) >> 8u) * 5.96046448e-8;
-#elif RANDOM_NUMBERS == 1
-    uvec4 seeds = pcg4d(uvec4(stream.xy, uint(SEED), dimension));
-    uvec2 first = sobolOwen(stream.z, seeds.x, seeds.y);
-    uvec2 second = sobolOwen(stream.z, seeds.z, seeds.w);
-    return vec4(uvec4(first, second) >> 8u) * 5.96046448e-8;
-#else
-    uint key = stream.x + hash32(stream.y + hash32(stream.z + hash32(uint(SEED))));
-    float seed = float(hash32(key) >> 8u) * 5.96046448e-8;
-    vec4 seeds = seed + 0.1 * (vec4(1.0, 2.0, 3.0, 4.0) + 4.0 * float(dimension));
-    uvec4 bits = floatBitsToUint(seeds);
-    return vec4(uvec4(hash32(bits.x), hash32(bits.y), hash32(bits.z), hash32(bits.w)) >> 8u) * 5.96046448e-8;
-#endif
-}
-
 // Dimensions. A camera ray takes the first two; every bounce takes BOUNCE_DIMENSIONS more.
 #define DIMENSION_LENS 0u    // pixel x, y; lens x, y
 #define DIMENSION_TIME 1u    // shutter time
 #define DIMENSION_BOUNCE 2u  // first bounce
 #define BOUNCE_DIMENSIONS 2u // +0: direction x, y; lobe; roulette. +1: light x, y; which light; ball radius
+
+// Four uniform numbers in [0, 1). `stream` is (pixel x, pixel y, sample); `dimension` says what they are for, so that
+// no number is ever used twice, whatever path came before. 24 bits: the largest is 1 - 2^-24.
+vec4 random4(uvec3 stream, uint dimension)
+{
+#if RANDOM_NUMBERS == 2
+    uint key = stream.x + hash32(stream.y + hash32(stream.z + hash32(uint(SEED))));
+    float seed = float(hash32(key) >> 8u) * 5.96046448e-8;
+    vec4 seeds = seed + 0.1 * (vec4(1.0, 2.0, 3.0, 4.0) + 4.0 * float(dimension));
+    uvec4 bits = floatBitsToUint(seeds);
+    return vec4(uvec4(hash32(bits.x), hash32(bits.y), hash32(bits.z), hash32(bits.w)) >> 8u) * 5.96046448e-8;
+#else
+#if RANDOM_NUMBERS == 1
+    if (dimension < DIMENSION_BOUNCE + BOUNCE_DIMENSIONS * uint(SOBOL_BOUNCES)) {
+        uvec4 seeds = pcg4d(uvec4(stream.xy, uint(SEED), dimension));
+        uvec2 first = sobolOwen(stream.z, seeds.x, seeds.y);
+        uvec2 second = sobolOwen(stream.z, seeds.z, seeds.w);
+        return vec4(uvec4(first, second) >> 8u) * 5.96046448e-8;
+    }
+#endif
+    return vec4(pcg4d(uvec4(stream, dimension + 2654435769u * uint(SEED))) >> 8u) * 5.96046448e-8;
+#endif
+}
 
 //-------------------------------------------------------------------------------
 // Warps

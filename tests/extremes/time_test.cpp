@@ -39,7 +39,7 @@ Apart apart(const Image& a, const Image& b) {
 TEST_P(Time, ADayAndAYearLaterTheNoiseIsTheSame) {
   for (const char* numbers : {"0", "1", "2"}) {
     // A twin takes seconds to compile.
-    if (GetParam() != backends().front().name && numbers[0] != '0') continue;
+    if (GetParam() != backends().front().name && numbers[0] != '1') continue;
     const auto after = [&](int seconds) {
       Take take{.file = "../../shadertoy/image.glsl",
                 .width = 48,

@@ -13,7 +13,8 @@ class Hash : public OnEveryBackend {};
 SHADERTWIN_IN_DOUBLE_AT_NIGHT(Hash);
 
 const Probe words{.file = "hash.glsl", .inputs = 2, .outputs = 3};
-const Probe numbers{.file = "random_numbers.glsl", .inputs = 1, .outputs = 1};
+const Probe numbers{
+    .file = "random_numbers.glsl", .inputs = 1, .outputs = 1, .defines = {{"RANDOM_NUMBERS", "0"}}};
 
 using Key = std::array<std::uint32_t, 4>;
 

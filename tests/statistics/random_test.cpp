@@ -2,6 +2,9 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/statistics/statistics.h"
 
@@ -10,7 +13,12 @@ namespace {
 
 SHADERTWIN_STATISTICS(RandomNumbers);
 
-const Probe numbers{.file = "random_numbers.glsl", .inputs = 1, .outputs = 1};
+Probe numbers_of(const char* kind, std::vector<std::pair<std::string, std::string>> more = {}) {
+  more.emplace_back("RANDOM_NUMBERS", kind);
+  return {.file = "random_numbers.glsl", .inputs = 1, .outputs = 1, .defines = std::move(more)};
+}
+
+const Probe numbers = numbers_of("0");
 
 // A block of pixels at a sample and a dimension.
 Table stream_keys(int first_x, std::uint32_t sample, std::uint32_t dimension) {
@@ -70,9 +78,7 @@ TEST_P(RandomNumbers, NeighboursAreUncorrelated) {
 TEST_P(RandomNumbers, EverySeedHasNumbersOfItsOwn) {
   for (const char* kind : {"0", "1", "2"}) {
     const auto seeded = [&](const char* seed) {
-      Probe probe = numbers;
-      probe.defines = {{"RANDOM_NUMBERS", kind}, {"SEED", seed}};
-      return columns(run(probe, stream_keys(0, 3600, 2)));
+      return columns(run(numbers_of(kind, {{"SEED", seed}}), stream_keys(0, 3600, 2)));
     };
     const auto first = seeded("0");
     const auto second = seeded("1");
@@ -112,9 +118,7 @@ TEST_P(RandomNumbers, SobolPointsOfAPixelAreStratified) {
   Table keys(points * pixels, 1);
   for (std::size_t i = 0; i < keys.cases(); ++i)
     keys.at(i, 0) = {static_cast<float>(i / points), 5.0F, static_cast<float>(i % points), 4.0F};
-  Probe probe = numbers;
-  probe.defines = {{"RANDOM_NUMBERS", "1"}};
-  const auto u = columns(run(probe, keys));
+  const auto u = columns(run(numbers_of("1", {{"SOBOL_BOUNCES", "2"}}), keys));
   Bar bar("Sobol points of a pixel, boxes with exactly one");
   for (std::size_t pixel = 0; pixel < pixels; ++pixel)
     for (std::size_t pair = 0; pair < 4; pair += 2)
@@ -126,6 +130,21 @@ TEST_P(RandomNumbers, SobolPointsOfAPixelAreStratified) {
         bar.holds(boxes.size() == points, static_cast<double>(boxes.size()), points,
                   {{"pixel", pixel}, {"pair", pair}, {"split", split}});
       }
+}
+
+// The camera ray has dimensions 0 and 1, each surface two more.
+TEST_P(RandomNumbers, SobolPointsEndWithTheirLastSurface) {
+  for (const int surfaces : {0, 1, 3}) {
+    const Probe points = numbers_of("1", {{"SOBOL_BOUNCES", std::to_string(surfaces)}});
+    Table keys(1024, 1);
+    for (std::size_t i = 0; i < keys.cases(); ++i)
+      keys.at(i, 0) = {static_cast<float>(i), 3.0F, 77.0F, static_cast<float>(i % 16)};
+    const Table got = run(points, keys);
+    const Table independent = run(numbers, keys);
+    for (std::size_t i = 0; i < keys.cases(); ++i)
+      EXPECT_EQ(got.at(i, 0) == independent.at(i, 0), static_cast<int>(i % 16) >= 2 + 2 * surfaces)
+          << "dimension " << i % 16 << ", SOBOL_BOUNCES " << surfaces;
+  }
 }
 
 }  // namespace
