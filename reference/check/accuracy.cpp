@@ -13,6 +13,7 @@
 namespace shadertwin::check {
 namespace {
 
+using twin::NumberRecord;
 using twin::PixelPlace;
 using twin::PlaceName;
 using twin::PlaceRecord;
@@ -53,15 +54,16 @@ void add(PlaceRecord& sum, const PlaceRecord& more) {
     sum.tried += more.tried;
     sum.moved += more.moved;
   }
-  if (more.numbers != 0) {
-    if (sum.numbers == 0 || is_worse(more.error, more.error_at, sum.error, sum.error_at)) {
-      sum.error = more.error;
-      sum.error_at = more.error_at;
-    }
-    sum.numbers += more.numbers;
-    sum.not_finite += more.not_finite;
-    sum.error_sum += more.error_sum;
+}
+
+void add(Line& sum, const NumberRecord& more) {
+  if (sum.numbers == 0 || is_worse(more.error, more.error_at, sum.error, sum.at)) {
+    sum.error = more.error;
+    sum.at = more.error_at;
   }
+  sum.numbers += more.numbers;
+  sum.not_finite += more.not_finite;
+  sum.error_sum += more.error_sum;
 }
 
 class Collector : public twin::ShadowObserver {
@@ -86,17 +88,16 @@ class Collector : public twin::ShadowObserver {
   }
 
   void noted(int /*pass*/, std::uint32_t first_place, std::span<const PlaceName> places,
-             std::span<const PlaceRecord> records) override {
+             std::span<const PlaceRecord> records, std::span<const NumberRecord> numbers) override {
     if (of_place_.size() < first_place + places.size()) of_place_.resize(first_place + places.size(), -1);
     for (std::size_t i = 0; i < places.size(); ++i) {
       const PlaceName& name = places[i];
       if (name.file < 0) continue;
+      if (numbers[i].numbers != 0) add(lines_[{name.file, name.line}], numbers[i]);
+      if (*name.text == '\0') continue;
       int& index = of_place_[first_place + i];
       if (index < 0) index = find(name);
-      if (*name.text == '\0')
-        add(lines_[{name.file, name.line}], records[i]);
-      else
-        add(result_.operations[static_cast<std::size_t>(index)].record, records[i]);
+      add(result_.operations[static_cast<std::size_t>(index)].record, records[i]);
     }
     for (Step& step : steps_) tell(step, first_place);
     steps_.clear();
@@ -132,8 +133,11 @@ class Collector : public twin::ShadowObserver {
     }
     std::erase_if(result_.operations, idle);
     if (result_.drawn != 0) result_.mean_error = error_sum_ / static_cast<double>(result_.drawn);
-    for (const auto& [place, record] : lines_)
-      if (record.numbers != 0) result_.lines.push_back({file(place.first), place.second, record});
+    for (auto& [place, line] : lines_) {
+      line.file = file(place.first);
+      line.line = place.second;
+      result_.lines.push_back(std::move(line));
+    }
     return std::move(result_);
   }
 
@@ -219,7 +223,7 @@ class Collector : public twin::ShadowObserver {
   double error_sum_ = 0.0;
   std::vector<int> of_place_;  // index into operations, -1: none
   std::map<std::tuple<int, int, std::string>, int> index_;
-  std::map<std::pair<int, int>, PlaceRecord> lines_;
+  std::map<std::pair<int, int>, Line> lines_;
   std::vector<Step> steps_;
 };
 

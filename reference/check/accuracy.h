@@ -39,10 +39,15 @@ struct Operation {
   twin::PixelPlace at;
 };
 
+// The numbers that a line assigns or returns, wherever it is compiled.
 struct Line {
   std::string file;
   int line = 0;
-  twin::PlaceRecord record;  // its numbers only
+  std::uint64_t numbers = 0;
+  std::uint64_t not_finite = 0;  // whose error is infinite or no number: not in the sum
+  double error_sum = 0.0;        // of relative errors
+  double error = 0.0;            // the largest
+  twin::PixelPlace at;
 };
 
 // A result of the told pixel with a notable error.

@@ -88,7 +88,7 @@ inline bool is_before(const PixelPlace& a, const PixelPlace& b) {
   return a.y != b.y ? a.y < b.y : a.x < b.x;
 }
 
-// What happened at a place.
+// What happened at an operation or a comparison.
 struct PlaceRecord {
   static constexpr int most_operands = 3;
 
@@ -111,19 +111,23 @@ struct PlaceRecord {
   std::uint64_t moved = 0;  // of `tried`: pixels in which that is more than ShadowLog::threshold
   double moved_by = 0.0;
   PixelPlace moved_at;
+};
 
-  // Numbers that are assigned or returned here.
+// The numbers that are assigned or returned at a place. Small, since every pixel writes into it many times.
+struct NumberRecord {
   std::uint64_t numbers = 0;
-  std::uint64_t not_finite = 0;  // whose error is infinite or no number: not in the sum
-  double error_sum = 0.0;        // of relative errors
-  double error = 0.0;            // the largest
+  double error_sum = 0.0;  // of relative errors
+  double error = 0.0;      // the largest
   PixelPlace error_at;
+  std::uint32_t not_finite = 0;  // whose error is infinite or no number: not in the sum
 };
 
 // Whom a twin with shadows tells what it finds.
 struct ShadowLog {
-  PlaceRecord* records = nullptr;  // of this thread, one for each place
-  std::uint32_t first_place = 0;   // of the pass, counted through all passes
+  // Of this thread, one of both for each place.
+  PlaceRecord* records = nullptr;
+  NumberRecord* numbers = nullptr;
+  std::uint32_t first_place = 0;  // of the pass, counted through all passes
   int frame = 0;
   float* moved = nullptr;  // as Request::pixels, one number a pixel: PlaceRecord::moved_by of that pixel
   double threshold = 0.0;  // of picture_error()

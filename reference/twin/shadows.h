@@ -94,7 +94,7 @@ class Shadows {
   template <class T>
   SHADERTWIN_INLINE void watch__(int place, const T& value) {
     if constexpr (std::is_same_v<typename glsl::detail::Shape<T>::Scalar, Shadow>) {
-      if (notes__) measure__(place, value);
+      if (notes__) measure__(log__->numbers[place], value);
     }
   }
   template <class T>
@@ -184,36 +184,39 @@ class Shadows {
     return {x.value, x.origin, x.exact};
   }
   template <class T>
-  void measure__(int place, const T& value) {
-    if constexpr (glsl::detail::Shape<T>::matrix) {
-      for (int i = 0; i < glsl::detail::Shape<T>::columns; ++i) measure__(place, value[i]);
+  SHADERTWIN_INLINE void measure__(NumberRecord& record, const T& value) {
+    if constexpr (std::is_same_v<T, Shadow>) {
+      measure_number__(record, value);
     } else {
-      measure_numbers__(place, first__(value), glsl::detail::Shape<T>::rows);
+      for (int i = 0; i < value.length(); ++i) measure__(record, value[i]);
     }
   }
-  static const Shadow* first__(const Shadow& x) {
-    return &x;
+  SHADERTWIN_INLINE void measure_number__(NumberRecord& record, const Shadow& x) {
+    ++record.numbers;
+    const double value = x.value;
+    const double error = std::fabs(value - x.exact);
+    if (error == 0.0) return;
+    const double size = glsl::larger_of(std::fabs(value), std::fabs(x.exact));
+    if (!(error <= size * glsl::notable)) [[unlikely]]
+      return measure_notable__(record, x);
+    const double share = error / size;
+    record.error_sum += share;
+    if (share >= record.error) [[unlikely]]
+      worst__(record, share);
   }
-  template <int N>
-  static const Shadow* first__(const glm::vec<N, Shadow>& v) {
-    return &v[0];
-  }
-  void measure_numbers__(int place, const Shadow* x, int count) {
-    PlaceRecord& record = log__->records[place];
-    record.numbers += static_cast<std::uint64_t>(count);
-    for (int i = 0; i < count; ++i) {
-      if (static_cast<double>(x[i].value) == x[i].exact) continue;
-      const double share = glsl::share_of(glsl::error_of(x[i]), x[i]);
-      if (share > 1.0) {
-        ++record.not_finite;
-        continue;
-      }
-      record.error_sum += share;
-      if (share > record.error || (share == record.error && is_before(pixel__, record.error_at))) {
-        record.error = share;
-        record.error_at = pixel__;
-      }
+  [[gnu::noinline]] void measure_notable__(NumberRecord& record, const Shadow& x) {
+    const double share = glsl::share_of(glsl::error_of(x), x);
+    if (share > 1.0) {
+      ++record.not_finite;
+      return;
     }
+    record.error_sum += share;
+    if (share >= record.error) worst__(record, share);
+  }
+  [[gnu::noinline]] void worst__(NumberRecord& record, double share) {
+    if (share == record.error && !is_before(pixel__, record.error_at)) return;
+    record.error = share;
+    record.error_at = pixel__;
   }
 
   static inline thread_local Shadows* running__ = nullptr;

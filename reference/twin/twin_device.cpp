@@ -228,9 +228,11 @@ class TwinDevice final : public Device {
       Request request = whole;
       ShadowLog shadow_log = shadow_log_;
       if (options_.shadows != nullptr) {
-        std::vector<PlaceRecord>& records = records_.local();
-        if (records.empty()) records.resize(static_cast<std::size_t>(module.description().place_count));
-        shadow_log.records = records.data();
+        Notes& notes = notes_.local();
+        notes.records.resize(static_cast<std::size_t>(module.description().place_count));
+        notes.numbers.resize(notes.records.size());
+        shadow_log.records = notes.records.data();
+        shadow_log.numbers = notes.numbers.data();
         shadow_log.moved =
             moved_.data() + first + row * static_cast<std::size_t>(y0) + static_cast<std::size_t>(x0);
         request.shadow_log = &shadow_log;
@@ -290,11 +292,11 @@ class TwinDevice final : public Device {
   void end_shadows(const DrawCall& call, const Surface& target) {
     const Description& description = modules_[call.pass]->description();
     const int pass = static_cast<int>(call.pass);
-    for (const std::vector<PlaceRecord>& records : records_)
+    for (const Notes& notes : notes_)
       options_.shadows->noted(pass, first_places_[call.pass],
                               {description.places, static_cast<std::size_t>(description.place_count)},
-                              records);
-    records_.clear();
+                              notes.records, notes.numbers);
+    notes_.clear();
     options_.shadows->drawn(pass, call.index, {target.size().x, target.size().y * target.faces()},
                             target.shadows(), moved_);
   }
@@ -336,7 +338,11 @@ class TwinDevice final : public Device {
   std::vector<std::uint32_t> first_places_;  // of each pass among the places of all, and their number
   ShadowLog shadow_log_;                     // of the pass that is drawn
   std::vector<float> moved_;                 // of its pixels
-  oneapi::tbb::enumerable_thread_specific<std::vector<PlaceRecord>> records_;
+  struct Notes {
+    std::vector<PlaceRecord> records;
+    std::vector<NumberRecord> numbers;
+  };
+  oneapi::tbb::enumerable_thread_specific<Notes> notes_;
 };
 
 }  // namespace

@@ -53,9 +53,10 @@ class ShadowObserver {
     bool steps = false;  // whether wants_steps() is to be asked
   };
   virtual Wanted begin(int pass, int frame) = 0;
-  // What one thread has noted while it drew, one record for each place. Origins count from `first_place`.
+  // What one thread has noted while it drew, one record of both kinds for each place. Origins count from
+  // `first_place`.
   virtual void noted(int pass, std::uint32_t first_place, std::span<const PlaceName> places,
-                     std::span<const PlaceRecord> records) = 0;
+                     std::span<const PlaceRecord> records, std::span<const NumberRecord> numbers) = 0;
   // What the pass has drawn, four numbers a pixel from the lower left; faces one above the other.
   // `moved`: of each pixel, how far it is from what double makes of its own decisions; 0 where they are the
   // float's.

@@ -18,8 +18,8 @@ class Recorder : public twin::ShadowObserver {
   bool wants_steps(int, int) override { return false; }
   void step(int, const twin::ShadowNumber*, int, const twin::ShadowNumber&, double) override {}
   Wanted begin(int, int) override { return {}; }
-  void noted(int, std::uint32_t, std::span<const twin::PlaceName>,
-             std::span<const twin::PlaceRecord> records) override {
+  void noted(int, std::uint32_t, std::span<const twin::PlaceName>, std::span<const twin::PlaceRecord> records,
+             std::span<const twin::NumberRecord>) override {
     for (const twin::PlaceRecord& record : records) parted += record.parted;
   }
   void drawn(int, int, glm::ivec2, std::span<const twin::ShadowNumber> of_pass,
