@@ -11,6 +11,9 @@ const flags = [
   '--disable-component-update',
   '--disable-default-apps',
   '--disable-extensions',
+  // The page around a canvas is not what is tested, and SwiftShader would draw it at the canvas's expense.
+  '--disable-gpu-compositing',
+  '--disable-gpu-rasterization',
   '--disable-sync',
   '--disable-dev-shm-usage',
   '--force-color-profile=srgb',

@@ -45,6 +45,5 @@ for (const file of files) {
     const { rgba } = await readPass(page, file.endsWith('.json') ? 'Image' : path.basename(file, '.glsl'));
     assert.equal(rgba.length, 4 * 64 * 8);
     if (!undefinedInGlsl.has(file)) assert.equal([...rgba].filter((value, i) => value !== [0, 1, 0, 1][i % 4]).length, 0);
-    await page.close();
   });
 }

@@ -95,7 +95,6 @@ async function analysedInBrowser(wav, shader, site) {
     },
     { base64: wav.toString('base64'), rate, step, frames, site },
   );
-  await page.context().close();
   return result;
 }
 
@@ -178,7 +177,6 @@ test('a volume is sampled as in WebGL2, with every filter and wrap', async () =>
   assert.deepEqual(player.messages, []);
   await playFrames(player, script);
   const there = await readPass(player, 'Buffer A');
-  await player.context().close();
   const here = renderPass(toy, 'Buffer A', script, path.join(folder, 'volumes.exr'));
   assert.equal(here.rgba[4 * (16 * 12)], 8);
   for (let i = 0; i < there.rgba.length; ++i) {

@@ -11,10 +11,17 @@ export const shadertwin = process.env.SHADERTWIN ?? path.resolve(here, '../../bu
 
 const view = { width: 400, height: 300 };
 
-// The page, paused before its first frame.
+// One page for each browser plays one file after another: a page of its own takes Chromium five times as long as the file.
+const pages = new WeakMap();
+let opened = 0;
+
+// The page, paused before its first frame, until the next call.
 export async function openPlayer(browser, file, size) {
-  const page = await openPage(browser, view);
-  await page.goto(`file://${file}#paused&bare&size=${size.join('x')}`);
+  if (!pages.has(browser)) pages.set(browser, await openPage(browser, view));
+  const page = pages.get(browser);
+  page.problems = [];
+  // With another query it is loaded anew, also where only the size differs.
+  await page.goto(`file://${file}?${++opened}#paused&bare&size=${size.join('x')}`);
   page.messages = await page.evaluate(() => window.shadertwin.ready);
   return page;
 }
@@ -36,7 +43,8 @@ function keySteps(texts) {
   });
 }
 
-// script: size, frames, fps, mouse, keys. Frame i is drawn at i / fps seconds, on 1 January 2024.
+// script: size, frames, fps, mouse, keys. Frame i is drawn at i / fps seconds, on 1 January 2024. What is still held in the
+// end is let go, for the next file.
 export async function playFrames(page, { frames, fps = 60, mouse = [], keys = [] }) {
   const box = await page.evaluate(() => {
     const { left, bottom } = document.querySelector('canvas').getBoundingClientRect();
@@ -60,6 +68,8 @@ export async function playFrames(page, { frames, fps = 60, mouse = [], keys = []
       frame / fps,
     ]);
   }
+  if (down) await page.mouse.up();
+  for (const { key } of keySteps(keys)) await page.keyboard.up(key);
 }
 
 export async function readPass(page, name) {

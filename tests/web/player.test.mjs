@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
-import { after, before, test } from 'node:test';
+import { after, afterEach, before, test } from 'node:test';
 
 import { openBrowser, openPage } from './browser.mjs';
 import { readPass, shadertwin } from './player.mjs';
@@ -14,6 +14,8 @@ before(async () => {
   browser = await openBrowser();
   folder = mkdtempSync(path.join(tmpdir(), 'player-'));
 });
+// A page that nobody looks at any more would play on.
+afterEach(() => Promise.all(browser.contexts().map((context) => context.close())));
 after(async () => {
   await browser.close();
   rmSync(folder, { recursive: true });

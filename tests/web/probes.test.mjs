@@ -54,7 +54,6 @@ for (const name of readdirSync(probes).filter((name) => name.includes(process.en
       inBrowser.push(...mismatches(await readPass(player, pass), wanted, probe.tolerance));
       here.push(...mismatches(renderPass(shader, pass, probe, path.join(folder, 'probe.exr')), wanted, probe.tolerance));
     }
-    await player.context().close();
     assert.deepEqual(inBrowser, [], 'in the browser');
     await t.test('shadertwin render', { todo: probe.todo }, () => assert.deepEqual(here, []));
   });
