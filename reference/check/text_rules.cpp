@@ -16,6 +16,11 @@ namespace {
 
 using Kind = Token::Kind;
 
+template <std::size_t N>
+bool among(const std::string_view (&names)[N], std::string_view name) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
 constexpr std::string_view vscode_only[] = {"saturate",       "gl_FragColor", "texture2D",    "textureCube",
                                             "GLSL_FRAGCOLOR", "iMouseButton", "iGlobalTime",  "iGlobalFrame",
                                             "iKeyboard",      "isKeyDown",    "isKeyPressed", "isKeyToggled",
@@ -32,13 +37,20 @@ constexpr std::string_view site_uniforms[] = {"iResolution",  "iTime",
                                               "iChannel0",    "iChannel1",
                                               "iChannel2",    "iChannel3",
                                               "iChannelTime", "iChannelResolution"};
+// The same around single kinds of passes.
+bool is_global_of_site(PassKind kind, std::string_view name) {
+  switch (kind) {
+    case PassKind::image:
+      return among(channel_structs, name);
+    case PassKind::cubemap:
+      return name == "outColor" || name == "unViewport" || name == "unCorners";
+    default:
+      return name == "outColor";
+  }
+}
+
 // The same in the extension, beyond its uniforms.
 constexpr std::string_view vscode_globals[] = {"viewMatrix", "cameraPosition", "isOrthographic"};
-
-template <std::size_t N>
-bool among(const std::string_view (&names)[N], std::string_view name) {
-  return std::find(std::begin(names), std::end(names), name) != std::end(names);
-}
 
 // Whether shadertoy.com alone calls a function of that name.
 bool is_site_entry(std::string_view name) {
@@ -171,7 +183,7 @@ class TextRules {
       own_host("main() is shadertoy.com's own, which refuses another one");
     if (calls && is_site_entry(name) && audience_.extension())
       add("portability", quoted + " is called on shadertoy.com, not in the VS Code extension");
-    if (variable && among(site_uniforms, name) && audience_.site())
+    if (variable && (among(site_uniforms, name) || is_global_of_site(pass_.kind, name)) && audience_.site())
       own_host(quoted + " is there already on shadertoy.com, which refuses to declare it again");
     if ((variable && among(vscode_globals, name)) || (calls && name == "saturate" && depth_ == 0))
       taken_by_extension(name);

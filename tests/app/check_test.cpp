@@ -249,6 +249,16 @@ TEST_F(CheckCommand, FindsNamesThatAHostHasTaken) {
   EXPECT_EQ(guarded.status, 0) << guarded.out << guarded.err;
 }
 
+TEST_F(CheckCommand, FindsNamesThatTheSiteHasAroundOneKindOfPass) {
+  const std::string image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }\n";
+  folder.write("tabs/image.glsl", "float outColor = 1.0;\nfloat unViewport = 1.0;\n" + image);
+  folder.write("tabs/buffer_a.glsl", image);
+  EXPECT_EQ(run(folder, "check tabs --size 8x4 --frames 1").status, 0);
+  folder.write("tabs/buffer_a.glsl", "float iCh0 = 1.0;\nfloat outColor = 1.0;\n" + image);
+  expect_only(run(folder, "check tabs --size 8x4 --frames 1"),
+              "tabs/buffer_a.glsl:2: webgl2: 'outColor' is there already on shadertoy.com");
+}
+
 // As shadertoy.com compiles it: its functions see no uniforms, its macros may name them.
 TEST_F(CheckCommand, ReadsCommonByItself) {
   folder.write("tabs/image.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(wave(p.x) + T); }\n");

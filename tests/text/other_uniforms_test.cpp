@@ -137,8 +137,15 @@ TEST_F(OtherUniforms, CommonThatNeedsAPassIsAWarning) {
   tabs.write("common.glsl", "float later();\nfloat wave(float x) { return later(); }\n");
   tabs.write("image.glsl", "float later() { return 1.0; }\n" + std::string(image));
   EXPECT_EQ(all_warnings(load_project(tabs.path())).size(), 1U);
-  tabs.write("common.glsl", "const float one =\n");
-  tabs.write("image.glsl", "1.0;\n" + std::string(image));
+  for (const auto& [begin, end] : std::vector<std::pair<std::string, std::string>>{
+           {"const float one =", "1.0;"}, {"/*", "*/"}, {"#if 1", "#endif"}, {"#define F(x) x\nF(", ")"}}) {
+    tabs.write("common.glsl", begin + "\n");
+    tabs.write("image.glsl", end + "\n" + image);
+    EXPECT_EQ(all_warnings(load_project(tabs.path())).size(), 1U) << begin;
+  }
+  // The name of its output there.
+  tabs.write("common.glsl", "const float outColor = 1.0;\n");
+  tabs.write("image.glsl", image);
   EXPECT_EQ(all_warnings(load_project(tabs.path())).size(), 1U);
 }
 
