@@ -120,6 +120,18 @@ TEST_F(OtherUniforms, TextsOfEs100AskForExtensionsAnywhere) {
   EXPECT_NE(load(text + image).passes[0].source.refused, "");
 }
 
+TEST_F(OtherUniforms, InitialisersMoveToMainInTextsOfEs100Alone) {
+  const std::string globals =
+      "uniform float speed;\nfloat a = 1.0, b =\n  a * speed;\nconst float c = 2.0;\n";
+  const std::string body = load(globals + own_main).passes[0].source.body;
+  EXPECT_NE(body.find("a = 1.0"), std::string::npos) << body;
+  EXPECT_NE(body.find("main() { b = a * speed;"), std::string::npos) << body;
+  EXPECT_NE(body.find("\nconst float c = 2.0"), std::string::npos) << body;
+  EXPECT_EQ(std::count(body.begin(), body.end(), '\n'), 5);
+  const std::string later = load(globals + image).passes[0].source.body;
+  EXPECT_NE(later.find("a * speed;\nconst"), std::string::npos) << later;
+}
+
 TEST_F(OtherUniforms, CommonThatNeedsAPassIsAWarning) {
   const TempFolder tabs;
   tabs.write("image.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(wave(p.x)); }\n");
