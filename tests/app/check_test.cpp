@@ -73,7 +73,7 @@ TEST_F(CheckCommand, FindsLoopsWhoseConditionNothingChanges) {
         "float y = p.y; while (y > -1.0) { y = y; c.x += 1.0; }", "while (more()) c.x += 1.0;",
         "int a = 0; for (; a < 5;) { int a = 9; a += 1; }",
         "while (p.x > -1.0) { if (c.x > 5.0) c.x = 0.0; c.x += 1.0; }",
-        "uint u = 1u; while (u != 0u) u <<= 0;"})
+        "uint u = 1u; while (u != 0u) u <<= 0;", "bool on = true; while (c.x += 1.0, on) {}"})
     expect_only(check("bool on_ = true; bool more() { return on_; }", "c = vec4(0.0);\n" + loop),
                 "a.glsl:4: " + text);
 }
@@ -88,6 +88,7 @@ TEST_F(CheckCommand, LeavesLoopsThatChangeTheirConditionAlone) {
                                 "while (n < 5) step_(n);\n"
                                 "while (next() < 4) c.x += 1.0;\n"
                                 "while (off) return;\n"
+                                "bool never = false; while (never) c.x += 1.0;\n"
                                 "int list[2] = int[2](0, 0); while (list[0] < 4) list[0] += 1;\n");
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
