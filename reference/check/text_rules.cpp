@@ -8,6 +8,7 @@
 #include "host/project/host_rules.h"
 #include "host/project/kinds.h"
 #include "host/text/common_alone.h"
+#include "host/text/resolve_macros.h"
 #include "host/text/text_warnings.h"
 #include "reference/check/rules.h"
 
@@ -327,16 +328,36 @@ std::vector<Finding> uniforms_of_others(const Project& project, const Pass& pass
   return findings;
 }
 
+// Whether a line, which is empty, stands in code that the preprocessor skips.
+bool is_skipped(const Project& project, const Pass& pass, SourceLine at) {
+  constexpr std::string_view mark = "shadertwin_mark";
+  const std::vector<SourceLine>& lines = pass.source.lines;
+  const auto found = std::find_if(lines.begin(), lines.end(), [&](const SourceLine& line) {
+    return line.file == at.file && line.line == at.line;
+  });
+  if (found == lines.end()) return false;
+  PassSource marked = pass.source;
+  std::size_t begin = 0;
+  for (auto line = lines.begin(); line != found; ++line) begin = marked.written.find('\n', begin) + 1;
+  marked.body = marked.written.insert(begin, mark);
+  resolve_macros(project, marked, ShaderStage::fragment);
+  return marked.body.find(mark) == std::string::npos;
+}
+
 // #version, which both hosts have put in front of all by then: the site refuses another one, the extension
 // all but the very first line.
 std::vector<Finding> versions(const Project& project) {
   const bool site = project.dialect == Dialect::shadertoy;
   std::vector<Finding> findings;
-  for (const SourceLine& at : project.versions)
+  for (const SourceLine& at : project.versions) {
+    const bool skipped = std::any_of(project.passes.begin(), project.passes.end(),
+                                     [&](const Pass& pass) { return is_skipped(project, pass, at); });
+    if (skipped) continue;
     findings.push_back(make_finding(
         project, project.passes.back(), at, site || at.line > 1 ? "webgl2" : "portability",
         site || at.line == 1 ? "#version is shadertoy.com's own, which refuses another one"
                              : "the VS Code extension refuses a #version behind the first line"));
+  }
   return findings;
 }
 

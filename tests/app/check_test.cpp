@@ -107,6 +107,9 @@ TEST_F(CheckCommand, FindsVersionsInTabs) {
               "a.glsl:1: portability: #version is shadertoy.com's own");
   expect_only(check("\n#version 300 es", "c = vec4(1.0);"),
               "a.glsl:2: webgl2: the VS Code extension refuses a #version");
+  expect_only(check("#define V #version 300 es\n#if 0\n#version 100\n#else\n#version 300 es\n#endif",
+                    "c = vec4(1.0);"),
+              "a.glsl:5: webgl2: the VS Code extension refuses a #version");
 }
 
 TEST_F(CheckCommand, FindsMacrosThatPreprocessorsExpandDifferently) {
