@@ -126,8 +126,10 @@ std::vector<Directive> parse_directives(std::string_view text, const std::string
   DirectiveReader reader(tokens, file);
   std::vector<Directive> directives;
   for (std::size_t i = 0; i + 1 < tokens.size();) {
+    // The extension takes its own anywhere.
     const bool opens = tokens[i].is("#") && tokens[i + 1].kind == Token::Kind::identifier &&
-                       tokens[i + 1].begin == tokens[i].end();
+                       tokens[i + 1].begin == tokens[i].end() &&
+                       (tokens[i].first || !tokens[i + 1].is("version"));
     reader.start(i + 1);
     Directive directive;
     if (opens && read_directive(reader, directive)) {

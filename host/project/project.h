@@ -94,6 +94,7 @@ struct PassSource {
   bool own_output = false;  // the body declares the output
   std::string written;      // the body before its directives and macros were resolved, line for line
   std::string refused;      // lines `file:line: error: text` of what browsers refuse in them
+  bool es100 = false;       // written for GLSL ES 1.00
   bool precise = false;     // for GLSL ES 3.20, with `precise` on what is computed
 };
 

@@ -6,6 +6,8 @@
 #include "host/base/error.h"
 #include "host/language/tokens.h"
 #include "host/project/host_rules.h"
+#include "host/text/canonicalise.h"
+#include "host/text/resolve_macros.h"
 #include "host/text/syntax_tree.h"
 
 namespace shadertwin {
@@ -13,10 +15,11 @@ namespace shadertwin {
 namespace {
 
 // What shadertoy.com puts in front of Common where it compiles it by itself: nothing that a pass has, but for
-// these two.
+// these two uniforms.
 constexpr const char* head =
     "uniform vec4 iDate;\n"
-    "uniform float iSampleRate;\n";
+    "uniform float iSampleRate;\n"
+    "out vec4 outColor;\n";
 
 // Finds the first call of a function that is declared only.
 class CallFinder : public glslang::TIntermTraverser {
@@ -55,9 +58,10 @@ std::set<std::string_view> declared_names(const std::vector<Token>& tokens) {
 }
 
 // Whether a Common that compiles in front of its passes may need one of them: it names what only they are
-// given, declares a function that it does not define, or ends in the middle of something. Most do nothing of
-// the kind, and need not be compiled a second time.
+// given or what is there already, declares a function that it does not define, or ends in the middle of
+// something. Most do nothing of the kind, and need not be compiled a second time.
 bool may_need_a_pass(const Pass& common, const std::string& head_of_pass) {
+  if (!common.source.refused.empty()) return true;
   const std::vector<Token> host_text = tokenize(head_of_pass);
   const std::set<std::string_view> hosts = declared_names(host_text);
   const std::vector<Token> tokens = tokenize(common.source.body);
@@ -68,7 +72,7 @@ bool may_need_a_pass(const Pass& common, const std::string& head_of_pass) {
     const bool is_prototype = depth == 0 && tokens[i].is(";") && i > 0 && tokens[i - 1].is(")");
     const bool is_hosts =
         hosts.contains(tokens[i].text) && !tokens[i].is("iDate") && !tokens[i].is("iSampleRate");
-    if (is_prototype || is_hosts) return true;
+    if (is_prototype || is_hosts || tokens[i].is("outColor")) return true;
   }
   return depth != 0 || (!tokens.empty() && !tokens.back().is("}") && !tokens.back().is(";"));
 }
@@ -104,12 +108,16 @@ std::optional<Pass> common_alone(const Project& project) {
   common.source.own_output = true;
   common.source.tail = "\nvoid main() { }\n";
   const std::size_t count = pass.source.lines.size() - own_lines(pass);
-  std::size_t end = 0;
-  for (std::size_t line = 0; line < count; ++line)
-    end = std::min(pass.source.body.find('\n', end), pass.source.body.size() - 1) + 1;
-  common.source.body = pass.source.body.substr(0, end);
   common.source.lines.assign(pass.source.lines.begin(),
                              pass.source.lines.begin() + static_cast<std::ptrdiff_t>(count));
+  // As it is written: a comment, an #if or a macro's arguments may end in the pass.
+  const std::string& written = pass.source.written;
+  std::size_t end = 0;
+  for (std::size_t line = 0; line < count; ++line)
+    end = std::min(written.find('\n', end), written.size() - 1) + 1;
+  common.source.body = written.substr(0, end);
+  resolve_macros(project, common.source, ShaderStage::fragment);
+  common.source.body = canonicalise(common.source.body);
   return common;
 }
 

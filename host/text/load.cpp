@@ -1,6 +1,7 @@
 #include "host/text/load.h"
 
 #include "host/text/canonicalise.h"
+#include "host/text/global_initialisers.h"
 #include "host/text/host_text.h"
 #include "host/text/knobs.h"
 #include "host/text/other_uniforms.h"
@@ -30,6 +31,7 @@ Project load_project(const std::filesystem::path& shader, const LoadOptions& opt
     Pass& pass = project.passes[i];
     resolve_macros(project, pass.source, ShaderStage::fragment);
     canonicalise_body(pass.source);
+    if (pass.source.es100) pass.source.body = assign_globals_in_main(pass.source.body);
     adopt_other_uniforms(project, i, pass);
     if (pass.vertex.has_value()) {
       resolve_macros(project, *pass.vertex, ShaderStage::vertex);

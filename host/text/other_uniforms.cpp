@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "host/language/edits.h"
 #include "host/language/entry_points.h"
@@ -153,14 +154,17 @@ class Adopter {
     // Most shaders declare none.
     if (!mentions(tokens, "uniform") && !mentions(tokens, "in")) return;
     const EntryPoints entry = find_entry_points(tokens);
-    only_main_ = traits(pass_).fills_frame() && entry.main && !entry.has(traits(pass_).entry);
+    only_main_ =
+        traits(pass_).fills_frame() && entry.main && !(pass_.strict && entry.has(traits(pass_).entry));
     host_text_ = host_uniforms(project_, pass_);
     const std::vector<Token> host_tokens = tokenize(host_text_);
     host_ = declarations(host_text_, host_tokens);
-    for (const Declaration& each : declarations(body, tokens)) adopt(each, body, tokens);
+    const std::vector<Declaration> given = declarations(body, tokens);
+    for (const Declaration& each : given) adopt(each, body, tokens);
     if (values_.empty() && edits_.empty()) return;
     set_values(tokens);
     take_bytes(tokens);
+    rename_own_variables(given, tokens);
     rename(tokens);
     body = edited(body, edits_);
   }
@@ -306,6 +310,18 @@ class Adopter {
     pass_.source.helpers += byte_function;
   }
 
+  // Variables of the shader's own that bear the names of host's that the values read.
+  void rename_own_variables(const std::vector<Declaration>& given, const std::vector<Token>& tokens) {
+    std::set<std::string_view> kept;
+    for (const Declaration& each : given)
+      for (const Declaration::Name& name : each.names) kept.insert(name.text);
+    for (const Declaration& each : host_)
+      for (const Declaration::Name& name : each.names)
+        if (kept.insert(name.text).second && values_.find(name.text) != std::string::npos &&
+            declares(tokens, name.text, false))
+          renamed_.emplace_back(name.text, std::string(own_prefix) + std::string(name.text));
+  }
+
   void rename(const std::vector<Token>& tokens) {
     for (const Token& token : tokens)
       for (const auto& [name, by] : renamed_)
@@ -321,7 +337,7 @@ class Adopter {
   const Project& project_;
   int index_;
   Pass& pass_;
-  bool only_main_ = false;
+  bool only_main_ = false;  // no host calls a function of the shader's but main()
   bool bytes_ = false;
   std::string host_text_;
   std::vector<Declaration> host_;

@@ -4,6 +4,7 @@
 //   read_project      files, includes, directives      host/project/project.h
 //   resolve_macros    directives and macros            host/text/resolve_macros.h
 //   canonicalise      WebGL's text as all take it      host/text/canonicalise.h
+//   assign_globals... initialisers of GLSL ES 1.00     host/text/global_initialisers.h
 //   adopt_other_...   uniforms of other hosts          host/text/other_uniforms.h
 //   empty_uniform_... blocks, which no host fills      host/text/uniform_blocks.h
 //   write_host_text   uniforms and main()              host/text/host_text.h
@@ -12,7 +13,7 @@
 //   make_precise      operations in the text's order   host/text/make_precise.h
 //   render            the whole text for a device      host/text/render.h
 //
-// load_project (host/text/load.h) runs the first six; the functions below choose among the others.
+// load_project (host/text/load.h) runs the first seven; the functions below choose among the others.
 #pragma once
 
 #include <vector>

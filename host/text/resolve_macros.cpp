@@ -1,5 +1,8 @@
 #include "host/text/resolve_macros.h"
 
+#include <algorithm>
+#include <array>
+
 #include "host/base/error.h"
 #include "host/language/nesting.h"
 #include "host/language/preprocessor.h"
@@ -37,6 +40,17 @@ Macros other_names(ShaderStage stage) {
   return names;
 }
 
+// gl_FragData[0] is gl_FragColor.
+void name_first_output(std::vector<PlainToken>& tokens) {
+  static constexpr std::array<std::string_view, 4> output = {"gl_FragData", "[", "0", "]"};
+  const auto is = [](const PlainToken& token, std::string_view text) { return token.text == text; };
+  auto at = tokens.begin();
+  while ((at = std::search(at, tokens.end(), output.begin(), output.end(), is)) != tokens.end()) {
+    at->text = "shadertoy_out_color";
+    at = tokens.erase(at + 1, at + output.size());
+  }
+}
+
 // `name:line: error: message`, as a compiler's messages are mapped.
 std::string refusals(const Project& project, const PassSource& source, const PlainText& plain) {
   std::string text;
@@ -59,16 +73,18 @@ void resolve_macros(const Project& project, PassSource& source, ShaderStage stag
     Macros names = other_names(stage);
     const std::vector<Token> written = tokenize(source.body);
     std::erase_if(names, [&](const HostMacro& macro) { return !mentions(written, macro.name); });
-    // A text with the output of ES 1.00 and without the host's entry was written for that version.
-    options.es100 = stage == ShaderStage::fragment && mentions(written, "gl_FragColor") &&
-                    !mentions(written, "mainImage");
-    if (!names.empty()) {
+    // A main() of its own that writes the output of ES 1.00 was written for that version.
+    options.es100 = stage == ShaderStage::fragment && mentions(written, "main") &&
+                    (mentions(written, "gl_FragColor") || mentions(written, "gl_FragData"));
+    source.es100 = options.es100;
+    if (!names.empty() || options.es100) {
       // The shader's own meaning of a name wins.
       const std::string code = to_text(plain, lines);
       const std::vector<Token> tokens = tokenize(code);
       for (HostMacro& macro : names)
         if (!declares(tokens, macro.name)) options.predefined.push_back(std::move(macro));
       plain = preprocess(source.body, options);
+      if (options.es100) name_first_output(plain.tokens);
     }
   }
   if (plain.errors.empty())

@@ -10,10 +10,20 @@ namespace {
 
 using namespace glslang;
 
-// Whether a loop's condition never ends it: there is none, or it is the constant true.
+// What a condition ends in behind commas; null if there is none.
+const TIntermTyped* last_operand(const TIntermTyped* condition) {
+  while (condition != nullptr) {
+    const TIntermAggregate* comma = condition->getAsAggregate();
+    if (comma == nullptr || comma->getOp() != EOpComma) break;
+    condition = comma->getSequence().back()->getAsTyped();
+  }
+  return condition;
+}
+
+// Whether a loop's condition never ends it: there is none, or its value is the constant true.
 bool always_goes_on(const TIntermLoop& loop) {
   if (loop.getTest() == nullptr) return true;
-  const TIntermConstantUnion* constant = loop.getTest()->getAsConstantUnion();
+  const TIntermConstantUnion* constant = last_operand(loop.getTest())->getAsConstantUnion();
   return constant != nullptr && constant->getConstArray()[0].getBConst();
 }
 
@@ -115,29 +125,31 @@ class ChangeFinder : public TIntermTraverser {
 
 // Whether no round of the loop changes anything that its condition reads.
 bool stands_still(const emit::Program& program, const TIntermLoop& loop) {
-  if (loop.getTest() == nullptr || loop.getTest()->getAsConstantUnion() != nullptr) return false;
+  if (loop.getTest() == nullptr || last_operand(loop.getTest())->getAsConstantUnion() != nullptr)
+    return false;
   ChangeFinder finder(program);
   for (TIntermNode* part : {loop.getBody(), static_cast<TIntermNode*>(loop.getTerminal()),
                             static_cast<TIntermNode*>(const_cast<TIntermTyped*>(loop.getTest()))})
     if (part != nullptr) part->traverse(&finder);
   // A call may discard.
   if (finder.changed.count(emit::Program::control_flow) != 0) return false;
-  const auto& reads = program.effects(*loop.getTest()).reads;
+  const auto& reads = program.effects(*last_operand(loop.getTest())).reads;
   return std::none_of(reads.begin(), reads.end(),
                       [&](emit::SymbolId id) { return finder.changed.count(id) != 0; });
 }
 
-// Counts what writes each variable of a shader, and finds those whose declaration says `= true`.
-class TrueVariables : public TIntermTraverser {
+// Counts what writes each variable of a shader, and finds those whose declaration says `= true` or `= false`.
+class Flags : public TIntermTraverser {
  public:
-  explicit TrueVariables(const emit::Program& program) : program_(program) {
+  explicit Flags(const emit::Program& program) : program_(program) {
     const_cast<TIntermAggregate&>(program.tree().root()).traverse(this);  // it has no const traversal
   }
 
-  // Whether nothing but its declaration, which makes it true, writes it.
-  bool stays_true(emit::SymbolId id) const {
+  // Whether nothing but its declaration, which makes it that, writes it.
+  bool stays(emit::SymbolId id, bool value) const {
+    const auto flag = flags_.find(id);
     const auto found = writes_.find(id);
-    return true_.count(id) != 0 && found != writes_.end() && found->second == 1;
+    return flag != flags_.end() && flag->second == value && found != writes_.end() && found->second == 1;
   }
 
   bool visitBinary(TVisit, TIntermBinary* node) override {
@@ -146,9 +158,9 @@ class TrueVariables : public TIntermTraverser {
     if (symbol == nullptr) return true;
     ++writes_[symbol->getId()];
     const TIntermConstantUnion* value = node->getRight()->getAsConstantUnion();
-    const bool is_true = symbol->getBasicType() == EbtBool && symbol->getType().isScalar() &&
-                         value != nullptr && value->getConstArray()[0].getBConst();
-    if (is_true && is_declared_by(*symbol)) true_.insert(symbol->getId());
+    const bool is_flag = symbol->getBasicType() == EbtBool && symbol->getType().isScalar();
+    if (is_flag && value != nullptr && is_declared_by(*symbol))
+      flags_[symbol->getId()] = value->getConstArray()[0].getBConst();
     return true;
   }
   bool visitUnary(TVisit, TIntermUnary* node) override {
@@ -178,46 +190,45 @@ class TrueVariables : public TIntermTraverser {
 
   const emit::Program& program_;
   std::map<emit::SymbolId, int> writes_;
-  std::set<emit::SymbolId> true_;
+  std::map<emit::SymbolId, bool> flags_;
 };
-
-// The variable that a condition is, or ends in behind commas; null for what is more than a variable.
-const TIntermSymbol* bare_variable(const TIntermTyped* condition) {
-  while (condition != nullptr) {
-    const TIntermAggregate* comma = condition->getAsAggregate();
-    if (comma == nullptr || comma->getOp() != EOpComma) return condition->getAsSymbolNode();
-    condition = comma->getSequence().back()->getAsTyped();
-  }
-  return nullptr;
-}
 
 class LoopCollector : public TIntermTraverser {
  public:
-  explicit LoopCollector(const emit::Program& program) : program_(program), true_variables_(program) {}
+  explicit LoopCollector(const emit::Program& program) : program_(program), flags_(program) {}
 
   std::vector<const TIntermLoop*> refused;   // by browsers
   std::vector<const TIntermLoop*> endless;   // that browsers take
   std::vector<const TIntermLoop*> standing;  // their condition does not change
 
   // ANGLE refuses `for` and `while` without an end, also those that only `discard` ends, and takes `do`. Of
-  // conditions it knows `true` and variables that are true in the whole shader.
+  // conditions it knows `true` and variables that are true in the whole shader, also behind commas if nothing
+  // in front of them has an effect.
   bool visitLoop(TVisit, TIntermLoop* loop) override {
-    const TIntermSymbol* variable = bare_variable(loop->getTest());
-    const bool stays_true = variable != nullptr && true_variables_.stays_true(variable->getId());
-    const bool goes_on = always_goes_on(*loop) || (stays_true && loop->testFirst());
-    ExitFinder exits(!goes_on || !loop->testFirst());
+    const TIntermTyped* value = last_operand(loop->getTest());
+    const TIntermSymbol* variable = value == nullptr ? nullptr : value->getAsSymbolNode();
+    const auto stays = [&](bool flag) {
+      return variable != nullptr && flags_.stays(variable->getId(), flag);
+    };
+    const bool goes_on = always_goes_on(*loop);
+    const bool is_known = loop->testFirst() &&
+                          (value == nullptr || program_.effects(*loop->getTest()).writes.empty()) &&
+                          (goes_on || stays(true));
+    ExitFinder exits(!is_known);
     if (loop->getBody() != nullptr) loop->getBody()->traverse(&exits);
     if (exits.found) return true;
-    if (goes_on)
-      (loop->testFirst() ? refused : endless).push_back(loop);
-    else if (stands_still(program_, *loop))
+    if (is_known)
+      refused.push_back(loop);
+    else if (goes_on)
+      endless.push_back(loop);
+    else if (!(loop->testFirst() && stays(false)) && stands_still(program_, *loop))
       standing.push_back(loop);
     return true;
   }
 
  private:
   const emit::Program& program_;
-  TrueVariables true_variables_;
+  Flags flags_;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "host/project/host_rules.h"
 #include "host/project/kinds.h"
 #include "host/text/common_alone.h"
+#include "host/text/resolve_macros.h"
 #include "host/text/text_warnings.h"
 #include "reference/check/rules.h"
 
@@ -15,6 +16,11 @@ namespace shadertwin::check {
 namespace {
 
 using Kind = Token::Kind;
+
+template <std::size_t N>
+bool among(const std::string_view (&names)[N], std::string_view name) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
 
 constexpr std::string_view vscode_only[] = {"saturate",       "gl_FragColor", "texture2D",    "textureCube",
                                             "GLSL_FRAGCOLOR", "iMouseButton", "iGlobalTime",  "iGlobalFrame",
@@ -32,13 +38,20 @@ constexpr std::string_view site_uniforms[] = {"iResolution",  "iTime",
                                               "iChannel0",    "iChannel1",
                                               "iChannel2",    "iChannel3",
                                               "iChannelTime", "iChannelResolution"};
+// The same around single kinds of passes.
+bool is_global_of_site(PassKind kind, std::string_view name) {
+  switch (kind) {
+    case PassKind::image:
+      return among(channel_structs, name);
+    case PassKind::cubemap:
+      return name == "outColor" || name == "unViewport" || name == "unCorners";
+    default:
+      return name == "outColor";
+  }
+}
+
 // The same in the extension, beyond its uniforms.
 constexpr std::string_view vscode_globals[] = {"viewMatrix", "cameraPosition", "isOrthographic"};
-
-template <std::size_t N>
-bool among(const std::string_view (&names)[N], std::string_view name) {
-  return std::find(std::begin(names), std::end(names), name) != std::end(names);
-}
 
 // Whether shadertoy.com alone calls a function of that name.
 bool is_site_entry(std::string_view name) {
@@ -171,7 +184,7 @@ class TextRules {
       own_host("main() is shadertoy.com's own, which refuses another one");
     if (calls && is_site_entry(name) && audience_.extension())
       add("portability", quoted + " is called on shadertoy.com, not in the VS Code extension");
-    if (variable && among(site_uniforms, name) && audience_.site())
+    if (variable && (among(site_uniforms, name) || is_global_of_site(pass_.kind, name)) && audience_.site())
       own_host(quoted + " is there already on shadertoy.com, which refuses to declare it again");
     if ((variable && among(vscode_globals, name)) || (calls && name == "saturate" && depth_ == 0))
       taken_by_extension(name);
@@ -315,16 +328,36 @@ std::vector<Finding> uniforms_of_others(const Project& project, const Pass& pass
   return findings;
 }
 
+// Whether a line, which is empty, stands in code that the preprocessor skips.
+bool is_skipped(const Project& project, const Pass& pass, SourceLine at) {
+  constexpr std::string_view mark = "shadertwin_mark";
+  const std::vector<SourceLine>& lines = pass.source.lines;
+  const auto found = std::find_if(lines.begin(), lines.end(), [&](const SourceLine& line) {
+    return line.file == at.file && line.line == at.line;
+  });
+  if (found == lines.end()) return false;
+  PassSource marked = pass.source;
+  std::size_t begin = 0;
+  for (auto line = lines.begin(); line != found; ++line) begin = marked.written.find('\n', begin) + 1;
+  marked.body = marked.written.insert(begin, mark);
+  resolve_macros(project, marked, ShaderStage::fragment);
+  return marked.body.find(mark) == std::string::npos;
+}
+
 // #version, which both hosts have put in front of all by then: the site refuses another one, the extension
 // all but the very first line.
 std::vector<Finding> versions(const Project& project) {
   const bool site = project.dialect == Dialect::shadertoy;
   std::vector<Finding> findings;
-  for (const SourceLine& at : project.versions)
+  for (const SourceLine& at : project.versions) {
+    const bool skipped = std::any_of(project.passes.begin(), project.passes.end(),
+                                     [&](const Pass& pass) { return is_skipped(project, pass, at); });
+    if (skipped) continue;
     findings.push_back(make_finding(
         project, project.passes.back(), at, site || at.line > 1 ? "webgl2" : "portability",
         site || at.line == 1 ? "#version is shadertoy.com's own, which refuses another one"
                              : "the VS Code extension refuses a #version behind the first line"));
+  }
   return findings;
 }
 

@@ -73,7 +73,7 @@ TEST_F(CheckCommand, FindsLoopsWhoseConditionNothingChanges) {
         "float y = p.y; while (y > -1.0) { y = y; c.x += 1.0; }", "while (more()) c.x += 1.0;",
         "int a = 0; for (; a < 5;) { int a = 9; a += 1; }",
         "while (p.x > -1.0) { if (c.x > 5.0) c.x = 0.0; c.x += 1.0; }",
-        "uint u = 1u; while (u != 0u) u <<= 0;"})
+        "uint u = 1u; while (u != 0u) u <<= 0;", "bool on = true; while (c.x += 1.0, on) {}"})
     expect_only(check("bool on_ = true; bool more() { return on_; }", "c = vec4(0.0);\n" + loop),
                 "a.glsl:4: " + text);
 }
@@ -88,6 +88,7 @@ TEST_F(CheckCommand, LeavesLoopsThatChangeTheirConditionAlone) {
                                 "while (n < 5) step_(n);\n"
                                 "while (next() < 4) c.x += 1.0;\n"
                                 "while (off) return;\n"
+                                "bool never = false; while (never) c.x += 1.0;\n"
                                 "int list[2] = int[2](0, 0); while (list[0] < 4) list[0] += 1;\n");
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
@@ -106,6 +107,9 @@ TEST_F(CheckCommand, FindsVersionsInTabs) {
               "a.glsl:1: portability: #version is shadertoy.com's own");
   expect_only(check("\n#version 300 es", "c = vec4(1.0);"),
               "a.glsl:2: webgl2: the VS Code extension refuses a #version");
+  expect_only(check("#define V #version 300 es\n#if 0\n#version 100\n#else\n#version 300 es\n#endif",
+                    "c = vec4(1.0);"),
+              "a.glsl:5: webgl2: the VS Code extension refuses a #version");
 }
 
 TEST_F(CheckCommand, FindsMacrosThatPreprocessorsExpandDifferently) {
@@ -247,6 +251,16 @@ TEST_F(CheckCommand, FindsNamesThatAHostHasTaken) {
   const Outcome guarded = check("#ifndef saturate\n#define saturate(x) clamp(x, 0.0, 1.0)\n#endif",
                                 "float viewMatrix = p.x; c = vec4(saturate(viewMatrix));");
   EXPECT_EQ(guarded.status, 0) << guarded.out << guarded.err;
+}
+
+TEST_F(CheckCommand, FindsNamesThatTheSiteHasAroundOneKindOfPass) {
+  const std::string image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }\n";
+  folder.write("tabs/image.glsl", "float outColor = 1.0;\nfloat unViewport = 1.0;\n" + image);
+  folder.write("tabs/buffer_a.glsl", image);
+  EXPECT_EQ(run(folder, "check tabs --size 8x4 --frames 1").status, 0);
+  folder.write("tabs/buffer_a.glsl", "float iCh0 = 1.0;\nfloat outColor = 1.0;\n" + image);
+  expect_only(run(folder, "check tabs --size 8x4 --frames 1"),
+              "tabs/buffer_a.glsl:2: webgl2: 'outColor' is there already on shadertoy.com");
 }
 
 // As shadertoy.com compiles it: its functions see no uniforms, its macros may name them.

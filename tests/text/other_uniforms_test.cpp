@@ -120,6 +120,18 @@ TEST_F(OtherUniforms, TextsOfEs100AskForExtensionsAnywhere) {
   EXPECT_NE(load(text + image).passes[0].source.refused, "");
 }
 
+TEST_F(OtherUniforms, InitialisersMoveToMainInTextsOfEs100Alone) {
+  const std::string globals =
+      "uniform float speed;\nfloat a = 1.0, b =\n  a * speed;\nconst float c = 2.0;\n";
+  const std::string body = load(globals + own_main).passes[0].source.body;
+  EXPECT_NE(body.find("a = 1.0"), std::string::npos) << body;
+  EXPECT_NE(body.find("main() { b = a * speed;"), std::string::npos) << body;
+  EXPECT_NE(body.find("\nconst float c = 2.0"), std::string::npos) << body;
+  EXPECT_EQ(std::count(body.begin(), body.end(), '\n'), 5);
+  const std::string later = load(globals + image).passes[0].source.body;
+  EXPECT_NE(later.find("a * speed;\nconst"), std::string::npos) << later;
+}
+
 TEST_F(OtherUniforms, CommonThatNeedsAPassIsAWarning) {
   const TempFolder tabs;
   tabs.write("image.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(wave(p.x)); }\n");
@@ -137,8 +149,15 @@ TEST_F(OtherUniforms, CommonThatNeedsAPassIsAWarning) {
   tabs.write("common.glsl", "float later();\nfloat wave(float x) { return later(); }\n");
   tabs.write("image.glsl", "float later() { return 1.0; }\n" + std::string(image));
   EXPECT_EQ(all_warnings(load_project(tabs.path())).size(), 1U);
-  tabs.write("common.glsl", "const float one =\n");
-  tabs.write("image.glsl", "1.0;\n" + std::string(image));
+  for (const auto& [begin, end] : std::vector<std::pair<std::string, std::string>>{
+           {"const float one =", "1.0;"}, {"/*", "*/"}, {"#if 1", "#endif"}, {"#define F(x) x\nF(", ")"}}) {
+    tabs.write("common.glsl", begin + "\n");
+    tabs.write("image.glsl", end + "\n" + image);
+    EXPECT_EQ(all_warnings(load_project(tabs.path())).size(), 1U) << begin;
+  }
+  // The name of its output there.
+  tabs.write("common.glsl", "const float outColor = 1.0;\n");
+  tabs.write("image.glsl", image);
   EXPECT_EQ(all_warnings(load_project(tabs.path())).size(), 1U);
 }
 

@@ -51,6 +51,54 @@ void main( void ) {
 )") + painted);
 }
 
+// Of GLSL ES 1.00 browsers take globals that start with uniforms and other globals.
+TEST_P(OtherHosts, GlobalsStartWithUniforms) {
+  expect_green("globals", R"(precision mediump float;
+uniform float time; uniform vec2 mouse, resolution;
+struct Camera { float time; } camera;
+float t = time * 2.0, u = 1.0, v = u + t,
+  w;
+vec2 aspect = vec2(resolution.x / resolution.y,
+                   1.0);
+const float half_ = 0.5;
+mat2 turn = mat2(cos(t), sin(t), -sin(t), cos(t));
+float f(float t) { return t + v; }
+void main() {
+  bool ok = t == 3.0 && u == 1.0 && v == 4.0 && w == 0.0 && f(half_) == 4.5 && aspect == vec2(2.0, 1.0);
+  ok = ok && turn[0] == vec2(cos(t), sin(t)) && camera.time == 0.0;
+  gl_FragData[0] = ok ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, 1.0);
+}
+)");
+}
+
+// Shaders of shadertoy.com as they are carried over: own variables or macros for its uniforms, an own main().
+TEST_P(OtherHosts, VariablesBearTheNamesOfUniforms) {
+  expect_green("carried", std::string(R"(#extension GL_OES_standard_derivatives : enable
+uniform float time; uniform vec2 mouse, resolution;
+vec3 iResolution;
+float iTime = 0.0;
+vec4 iMouse = vec4(0.0);
+struct Clock { float iTime; };
+float tick(float iTime) { Clock clock; clock.iTime = iTime; return clock.iTime; }
+void mainImage(out vec4 color, in vec2 at) { color = vec4(iTime, iResolution.xy, tick(7.0)); }
+void main() {
+  bool ok = time == 1.5 && mouse == vec2(0.25);
+  iTime = time; iResolution = vec3(resolution, 1.0);
+  vec4 color;
+  mainImage(color, gl_FragCoord.xy);
+  ok = ok && color == vec4(1.5, 8.0, 4.0, 7.0) && iMouse == vec4(0.0);
+)") + painted);
+  expect_green("macros", std::string(R"(uniform float time; uniform vec2 resolution;
+#define iTime time
+#define iResolution resolution
+void mainImage(out vec4 color, in vec2 at) { color = vec4(iTime, iResolution, 0.0); }
+void main() {
+  bool ok = iTime == 1.5;
+  mainImage(gl_FragColor, gl_FragCoord.xy);
+  ok = ok && gl_FragColor == vec4(1.5, 8.0, 4.0, 0.0);
+)") + painted);
+}
+
 TEST_P(OtherHosts, InputsThatNoVertexShaderSetsAreZero) {
   expect_green("inputs", R"(#version 300 es
 precision highp float;

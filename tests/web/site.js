@@ -136,8 +136,10 @@ window.Site = class Site {
     );
     const errors = [];
     const report = (name, log, before) => {
+      const count = errors.length;
       for (const [, line, text] of (log ?? '').matchAll(/ERROR: \d+:(\d+): (.*)/g))
         errors.push(`${name}:${line - before}: ${text}`);
+      if (errors.length === count) errors.push(`${name}: ${log}`); // of the whole text
     };
     const lines = (text) => text.split('\n').length - 1;
     if (this.common !== '') {
@@ -156,9 +158,7 @@ uniform vec4 iDate; uniform float iSampleRate; out vec4 outColor; void main(void
       gl.bindAttribLocation(pass.program, 0, 'pos');
       gl.linkProgram(pass.program);
       if (gl.getProgramParameter(pass.program, gl.LINK_STATUS)) continue;
-      const before = errors.length;
-      report(pass.name, gl.getShaderInfoLog(fragment), lines(header));
-      if (errors.length === before) errors.push(`${pass.name}: ${gl.getProgramInfoLog(pass.program)}`);
+      report(pass.name, gl.getShaderInfoLog(fragment) || gl.getProgramInfoLog(pass.program), lines(header));
     }
     return errors;
   }
