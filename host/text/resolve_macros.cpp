@@ -51,6 +51,19 @@ void name_first_output(std::vector<PlainToken>& tokens) {
   }
 }
 
+// Of ES 1.00: `invariant varying vec4 v;` and `invariant v;`. It asks that two stages agree, and there is
+// one.
+void drop_invariance(std::vector<PlainToken>& tokens) {
+  const auto is_invariant = [](const PlainToken& token) { return token.text == "invariant"; };
+  auto at = tokens.begin();
+  while ((at = std::find_if(at, tokens.end(), is_invariant)) != tokens.end()) {
+    const auto end =
+        std::find_if(at, tokens.end(), [](const PlainToken& token) { return token.text == ";"; });
+    const bool is_list = end - at == 2 || (end - at > 2 && (at + 2)->text == ",");
+    at = tokens.erase(at, is_list && end != tokens.end() ? end + 1 : at + 1);
+  }
+}
+
 // `name:line: error: message`, as a compiler's messages are mapped.
 std::string refusals(const Project& project, const PassSource& source, const PlainText& plain) {
   std::string text;
@@ -79,12 +92,16 @@ void resolve_macros(const Project& project, PassSource& source, ShaderStage stag
     source.es100 = options.es100;
     if (!names.empty() || options.es100) {
       // The shader's own meaning of a name wins.
+      if (options.es100) drop_invariance(plain.tokens);
       const std::string code = to_text(plain, lines);
       const std::vector<Token> tokens = tokenize(code);
       for (HostMacro& macro : names)
         if (!declares(tokens, macro.name)) options.predefined.push_back(std::move(macro));
       plain = preprocess(source.body, options);
-      if (options.es100) name_first_output(plain.tokens);
+      if (options.es100) {
+        name_first_output(plain.tokens);
+        drop_invariance(plain.tokens);
+      }
     }
   }
   if (plain.errors.empty())

@@ -71,6 +71,19 @@ void main() {
 )");
 }
 
+TEST_P(OtherHosts, InvariantVariablesAreVariables) {
+  expect_green("invariant", R"(precision mediump float;
+invariant varying vec3 normal;
+varying vec2 a, b;
+invariant a, b;
+invariant gl_FragColor;
+void main() {
+  bool ok = normal == vec3(0.0) && a == b;
+  gl_FragColor = ok ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, 1.0);
+}
+)");
+}
+
 // Shaders of shadertoy.com as they are carried over: own variables or macros for its uniforms, an own main().
 TEST_P(OtherHosts, VariablesBearTheNamesOfUniforms) {
   expect_green("carried", std::string(R"(#extension GL_OES_standard_derivatives : enable
