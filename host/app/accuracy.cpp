@@ -81,14 +81,15 @@ nlohmann::json to_json(const AccuracyFinding& finding) {
 }
 
 nlohmann::json to_json(const check::Line& line) {
-  const auto finite = static_cast<double>(line.numbers - line.not_finite);
+  const twin::NumberRecord& r = line.record;
+  const auto finite = static_cast<double>(r.numbers - r.not_finite);
   nlohmann::json entry = {{"file", line.file},
                           {"line", line.line},
-                          {"numbers", line.numbers},
-                          {"mean_relative_error", finite > 0.0 ? line.error_sum / finite : 0.0},
-                          {"worst_relative_error", line.error},
-                          {"without_a_relative_error", line.not_finite}};
-  entry["worst"] = place(line.at);
+                          {"numbers", r.numbers},
+                          {"mean_relative_error", finite > 0.0 ? r.error_sum / finite : 0.0},
+                          {"worst_relative_error", r.error},
+                          {"without_a_relative_error", r.not_finite}};
+  entry["worst"] = place(r.error_at);
   return entry;
 }
 

@@ -24,6 +24,13 @@ bool is_worse(double a, const PixelPlace& at_a, double b, const PixelPlace& at_b
   return a > b || (a == b && twin::is_before(at_a, at_b));
 }
 
+// Keeps the larger of two errors and its place; the other's if there was none before.
+void keep_worse(bool is_first, double& worst, PixelPlace& at, double other, const PixelPlace& other_at) {
+  if (!is_first && !is_worse(other, other_at, worst, at)) return;
+  worst = other;
+  at = other_at;
+}
+
 double distance(const ShadowNumber& x) {
   return std::fabs(static_cast<double>(x.value) - x.exact);
 }
@@ -46,21 +53,15 @@ void add(PlaceRecord& sum, const PlaceRecord& more) {
       std::copy(std::begin(more.sides), std::end(more.sides), std::begin(sum.sides));
       sum.is_number = more.is_number;
     }
-    if (sum.parted == 0 || is_worse(more.moved_by, more.moved_at, sum.moved_by, sum.moved_at)) {
-      sum.moved_by = more.moved_by;
-      sum.moved_at = more.moved_at;
-    }
+    keep_worse(sum.parted == 0, sum.moved_by, sum.moved_at, more.moved_by, more.moved_at);
     sum.parted += more.parted;
     sum.tried += more.tried;
     sum.moved += more.moved;
   }
 }
 
-void add(Line& sum, const NumberRecord& more) {
-  if (sum.numbers == 0 || is_worse(more.error, more.error_at, sum.error, sum.at)) {
-    sum.error = more.error;
-    sum.at = more.error_at;
-  }
+void add(NumberRecord& sum, const NumberRecord& more) {
+  keep_worse(sum.numbers == 0, sum.error, sum.error_at, more.error, more.error_at);
   sum.numbers += more.numbers;
   sum.not_finite += more.not_finite;
   sum.error_sum += more.error_sum;
@@ -133,11 +134,8 @@ class Collector : public twin::ShadowObserver {
     }
     std::erase_if(result_.operations, idle);
     if (result_.drawn != 0) result_.mean_error = error_sum_ / static_cast<double>(result_.drawn);
-    for (auto& [place, line] : lines_) {
-      line.file = file(place.first);
-      line.line = place.second;
-      result_.lines.push_back(std::move(line));
-    }
+    for (const auto& [place, record] : lines_)
+      result_.lines.push_back({file(place.first), place.second, record});
     return std::move(result_);
   }
 
@@ -191,10 +189,7 @@ class Collector : public twin::ShadowObserver {
     ++result_.drawn;
     if (!is_number) ++result_.not_numbers;
     error_sum_ += is_number ? whole : 0.0;
-    if (is_worse(whole, at, result_.error, result_.at) || result_.drawn == 1) {
-      result_.error = whole;
-      result_.at = at;
-    }
+    keep_worse(result_.drawn == 1, result_.error, result_.at, whole, at);
     if (whole >= options_.threshold) ++result_.pixels;
     if (worst < options_.threshold) return;
     if (of->origin == 0 || operation_at(of->origin - 1) == nullptr) {
@@ -203,10 +198,7 @@ class Collector : public twin::ShadowObserver {
     }
     auto& operation =
         result_.operations[static_cast<std::size_t>(of_place_[static_cast<std::size_t>(of->origin) - 1])];
-    if (operation.pixels == 0 || is_worse(worst, at, operation.error, operation.at)) {
-      operation.error = worst;
-      operation.at = at;
-    }
+    keep_worse(operation.pixels == 0, operation.error, operation.at, worst, at);
     ++operation.pixels;
     if (!is_number) ++operation.not_numbers;
     operation.error_sum += worst;
@@ -223,7 +215,7 @@ class Collector : public twin::ShadowObserver {
   double error_sum_ = 0.0;
   std::vector<int> of_place_;  // index into operations, -1: none
   std::map<std::tuple<int, int, std::string>, int> index_;
-  std::map<std::pair<int, int>, Line> lines_;
+  std::map<std::pair<int, int>, NumberRecord> lines_;
   std::vector<Step> steps_;
 };
 

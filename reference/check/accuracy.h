@@ -43,11 +43,7 @@ struct Operation {
 struct Line {
   std::string file;
   int line = 0;
-  std::uint64_t numbers = 0;
-  std::uint64_t not_finite = 0;  // whose error is infinite or no number: not in the sum
-  double error_sum = 0.0;        // of relative errors
-  double error = 0.0;            // the largest
-  twin::PixelPlace at;
+  twin::NumberRecord record;  // summed up
 };
 
 // A result of the told pixel with a notable error.

@@ -119,7 +119,7 @@ struct NumberRecord {
   double error_sum = 0.0;  // of relative errors
   double error = 0.0;      // the largest
   PixelPlace error_at;
-  std::uint32_t not_finite = 0;  // whose error is infinite or no number: not in the sum
+  std::uint64_t not_finite = 0;  // whose error is infinite or no number: not in the sum
 };
 
 // Whom a twin with shadows tells what it finds.

@@ -197,21 +197,15 @@ class Shadows {
     const double error = std::fabs(value - x.exact);
     if (error == 0.0) return;
     const double size = glsl::larger_of(std::fabs(value), std::fabs(x.exact));
-    if (!(error <= size * glsl::notable)) [[unlikely]]
-      return measure_notable__(record, x);
-    const double share = error / size;
-    record.error_sum += share;
-    if (share >= record.error) [[unlikely]]
-      worst__(record, share);
-  }
-  [[gnu::noinline]] void measure_notable__(NumberRecord& record, const Shadow& x) {
-    const double share = glsl::share_of(glsl::error_of(x), x);
-    if (share > 1.0) {
+    const bool is_small = error <= size * glsl::notable;
+    const double share = is_small ? error / size : glsl::share_of(glsl::error_of(x), x);
+    if (share > 1.0) [[unlikely]] {
       ++record.not_finite;
       return;
     }
     record.error_sum += share;
-    if (share >= record.error) worst__(record, share);
+    if (share >= record.error) [[unlikely]]
+      worst__(record, share);
   }
   [[gnu::noinline]] void worst__(NumberRecord& record, double share) {
     if (share == record.error && !is_before(pixel__, record.error_at)) return;

@@ -328,6 +328,12 @@ class TwinDevice final : public Device {
             std::clamp(region.y + region.height, y0, size.y) - y0};
   }
 
+  // What one thread notes while a pass is drawn, one of both for each place.
+  struct Notes {
+    std::vector<PlaceRecord> records;
+    std::vector<NumberRecord> numbers;
+  };
+
   TwinOptions options_;
   CheckLog log_ = make_log(options_.observer);
   Compiler compiler_;
@@ -338,10 +344,6 @@ class TwinDevice final : public Device {
   std::vector<std::uint32_t> first_places_;  // of each pass among the places of all, and their number
   ShadowLog shadow_log_;                     // of the pass that is drawn
   std::vector<float> moved_;                 // of its pixels
-  struct Notes {
-    std::vector<PlaceRecord> records;
-    std::vector<NumberRecord> numbers;
-  };
   oneapi::tbb::enumerable_thread_specific<Notes> notes_;
 };
 
