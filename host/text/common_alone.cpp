@@ -7,6 +7,7 @@
 #include "host/language/tokens.h"
 #include "host/project/host_rules.h"
 #include "host/text/canonicalise.h"
+#include "host/text/map_log.h"
 #include "host/text/resolve_macros.h"
 #include "host/text/syntax_tree.h"
 
@@ -112,10 +113,7 @@ std::optional<Pass> common_alone(const Project& project) {
                              pass.source.lines.begin() + static_cast<std::ptrdiff_t>(count));
   // As it is written: a comment, an #if or a macro's arguments may end in the pass.
   const std::string& written = pass.source.written;
-  std::size_t end = 0;
-  for (std::size_t line = 0; line < count; ++line)
-    end = std::min(written.find('\n', end), written.size() - 1) + 1;
-  common.source.body = written.substr(0, end);
+  common.source.body = written.substr(0, begin_of_line(written, count));
   resolve_macros(project, common.source, ShaderStage::fragment);
   common.source.body = canonicalise(common.source.body);
   return common;

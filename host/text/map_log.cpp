@@ -56,6 +56,13 @@ bool is_end(const std::string& line) {
 
 }  // namespace
 
+std::size_t begin_of_line(std::string_view text, std::size_t line) {
+  std::size_t begin = 0;
+  for (; line > 0 && begin < text.size(); --line)
+    begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
+  return begin;
+}
+
 std::string place_in_body(const Project& project, const PassSource& source, int line) {
   if (line < 0 || source.lines.empty()) return "";
   const auto index = std::min(static_cast<std::size_t>(line), source.lines.size() - 1);

@@ -8,6 +8,7 @@
 #include "host/project/host_rules.h"
 #include "host/project/kinds.h"
 #include "host/text/common_alone.h"
+#include "host/text/map_log.h"
 #include "host/text/resolve_macros.h"
 #include "host/text/text_warnings.h"
 #include "reference/check/rules.h"
@@ -337,8 +338,7 @@ bool is_skipped(const Project& project, const Pass& pass, SourceLine at) {
   });
   if (found == lines.end()) return false;
   PassSource marked = pass.source;
-  std::size_t begin = 0;
-  for (auto line = lines.begin(); line != found; ++line) begin = marked.written.find('\n', begin) + 1;
+  const std::size_t begin = begin_of_line(marked.written, static_cast<std::size_t>(found - lines.begin()));
   marked.body = marked.written.insert(begin, mark);
   resolve_macros(project, marked, ShaderStage::fragment);
   return marked.body.find(mark) == std::string::npos;
