@@ -152,19 +152,29 @@ TEST_P(RayColor, BallsThatKeepAllLightVanishInWhiteLight) {
   }
 }
 
-// The path ends with the first draw that is not below its survival, and carries 1 until then: the length of a
-// path in a room whose walls shine with radiance 1 and reflect rho has a geometric distribution.
+// A path ends with the first draw that is not below its survival, which its throughput and the threshold
+// give. In a room whose walls shine with radiance 1 and reflect rho, what it has gathered by then tells how
+// long it was.
 TEST_P(RayColor, RouletteLetsPathsLiveAsOftenAsItSays) {
   constexpr std::size_t count = 1 << 16;
-  for (const char* rho : {"0.1", "0.3", "0.5", "0.8", "0.95"}) {
+  constexpr std::size_t bounces = 400;
+  for (const auto& [threshold, rho] : {std::pair{"1.0", "0.1"},
+                                       {"1.0", "0.3"},
+                                       {"1.0", "0.5"},
+                                       {"1.0", "0.8"},
+                                       {"1.0", "0.95"},
+                                       {"0.25", "0.1"},
+                                       {"0.25", "0.7"},
+                                       {"0.125", "0.9"}}) {
     const Probe probe{.file = "paths.glsl",
                       .inputs = 2,
                       .outputs = 3,
                       .defines = {{"ROOM", "1"},
                                   {"SAMPLES", "1"},
                                   {"ALBEDO", rho},
-                                  {"MAX_BOUNCES", "400"},
+                                  {"MAX_BOUNCES", std::to_string(bounces)},
                                   {"RR_START", "0"},
+                                  {"RR_THRESHOLD", threshold},
                                   {"RR_FLOOR", "0.0"}}};
     Random random = draw(139);
     Table inputs(count, 2);
@@ -173,14 +183,29 @@ TEST_P(RayColor, RouletteLetsPathsLiveAsOftenAsItSays) {
       inputs.at(i, 1) = texel(random_direction(random));
     }
     const Table got = run(probe, inputs);
-    const double survival = std::stod(rho);
-    std::vector<double> counts(400);
-    std::vector<double> expected(400);
-    for (std::size_t k = 0; k < counts.size(); ++k)
-      expected[k] = count * std::pow(survival, static_cast<double>(k)) * (1.0 - survival);
-    for (std::size_t i = 0; i < count; ++i)
-      counts[std::min(static_cast<std::size_t>(got.at(i, 0).y - 0.5F), counts.size() - 1)] += 1.0;
-    expect_plausible("lengths of paths, albedo " + std::string(rho), chi_square_p(counts, expected));
+
+    std::vector<double> expected(bounces);
+    std::vector<double> between(bounces);  // what paths of k and of k + 1 surfaces gather, half of each
+    double alive = count;
+    double throughput = 1.0;
+    double gathered = 0.0;
+    for (std::size_t k = 0; k < bounces; ++k) {
+      gathered += throughput;
+      throughput *= std::stod(rho);
+      const double survival = std::min(throughput / std::stod(threshold), 1.0);
+      expected[k] = alive * (1.0 - survival);
+      alive *= survival;
+      throughput /= survival;
+      between[k] = gathered + 0.5 * throughput;
+    }
+    std::vector<double> counts(bounces);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto length =
+          std::ranges::upper_bound(between, static_cast<double>(got.at(i, 0).y)) - between.begin();
+      counts[std::min(static_cast<std::size_t>(length), bounces - 1)] += 1.0;
+    }
+    expect_plausible("lengths of paths, albedo " + std::string(rho) + ", threshold " + threshold,
+                     chi_square_p(counts, expected));
   }
 }
 
@@ -250,6 +275,7 @@ TEST_P(RayColor, RouletteAgreesInEveryTile) {
   for (const auto& [name, defines] : std::initializer_list<std::pair<const char*, Defines>>{
            {"roulette", {}},
            {"roulette from the first bounce", {{"RR_START", "0"}}},
+           {"roulette of every path that lost light", {{"RR_START", "0"}, {"RR_THRESHOLD", "1.0"}}},
            {"roulette without a floor", {{"RR_START", "0"}, {"RR_FLOOR", "0.001"}}}})
     expect_same_tiles(name, reference, tiles(RUN, first += 1000, defines));
 }
