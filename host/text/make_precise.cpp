@@ -24,6 +24,7 @@ constexpr const char* argument_name = "shadertwin_argument_";  // and a number
 struct Argument {
   TokenRange range;
   std::string type;
+  std::string sizes;  // of an array: [2]
 };
 
 class ArgumentFinder : public glslang::TIntermTraverser {
@@ -46,17 +47,42 @@ class ArgumentFinder : public glslang::TIntermTraverser {
       const bool comes_in =
           i < qualifiers.size() && qualifiers[i] != glslang::EvqOut && qualifiers[i] != glslang::EvqInOut;
       const glslang::TIntermTyped* argument = node->getSequence()[i]->getAsTyped();
-      if (comes_in && argument != nullptr && computes(*argument))
-        found.push_back({range, type_name(argument->getType())});
+      if (comes_in && argument != nullptr && computes(*argument)) add(range, argument->getType());
     }
     return true;
   }
 
  private:
-  // By operators of float: what a variable, a constant or a function gives is not computed here.
+  void add(const TokenRange& range, const glslang::TType& type) {
+    Argument argument{range, "", ""};
+    if (type.isStruct()) {
+      argument.type = type.getTypeName().c_str();
+      if (!is_global(argument.type)) return;
+    } else if (type.getBasicType() == glslang::EbtBool) {
+      argument.type = type.getVectorSize() == 1 ? "bool" : "bvec" + std::to_string(type.getVectorSize());
+    } else {
+      argument.type = type_name(type);
+    }
+    if (type.isArray()) argument.sizes = '[' + std::to_string(type.getOuterArraySize()) + ']';
+    found.push_back(std::move(argument));
+  }
+
+  // Whether a structure is declared outside of functions.
+  bool is_global(const std::string& structure) const {
+    int braces = 0;
+    for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
+      if (tokens_[i].text == "{") ++braces;
+      if (tokens_[i].text == "}") --braces;
+      if (braces == 0 && tokens_[i].text == "struct" && tokens_[i + 1].text == structure) return true;
+    }
+    return false;
+  }
+
+  // By operators: what a variable, a constant or a function gives is not computed here. Integers have one
+  // result.
   static bool computes(const glslang::TIntermTyped& argument) {
-    const glslang::TType& type = argument.getType();
-    if (type.getBasicType() != glslang::EbtFloat || type.isArray()) return false;
+    const glslang::TBasicType type = argument.getType().getBasicType();
+    if (type != glslang::EbtFloat && type != glslang::EbtBool && type != glslang::EbtStruct) return false;
     if (const auto* part = argument.getAsBinaryNode())
       return part->getOp() != glslang::EOpIndexDirect && part->getOp() != glslang::EOpIndexIndirect &&
              part->getOp() != glslang::EOpIndexDirectStruct && part->getOp() != glslang::EOpVectorSwizzle;
@@ -159,10 +185,10 @@ class PreciseText {
   // Each in a variable of its own: of two assignments to one, a compiler may pass on the last result twice.
   void mark_arguments(const TokenRange& body) {
     for (std::size_t i = 0; i < arguments_.size(); ++i) {
-      const auto& [range, type] = arguments_[i];
+      const auto& [range, type, sizes] = arguments_[i];
       if (range.first < body.first || range.last > body.last) continue;
       const std::string name = argument_name + std::to_string(i);
-      after_[body.first] += " precise " + type + ' ' + name + ";";
+      after_[body.first] += " precise " + type + ' ' + name + sizes + ";";
       assign(name, range.first, range.last + 1);
     }
   }

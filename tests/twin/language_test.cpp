@@ -135,11 +135,14 @@ TEST(PreciseText, KeepsTheOrderOfWhatIsPassedToFunctions) {
 float f(float x) { return x + 1.0; }
 vec2 g(in vec2 x, const in float y) { return x * y; }
 float sum(float a, float b) { return a * 10.0 + b; }
+struct Ray { vec3 origin, direction; };
+float along(Ray ray, float far[2]) { return dot(ray.origin, ray.direction) + far[0] * 3.0 + far[1]; }
 void mainImage(out vec4 c, in vec2 p) {
   float t = 1.0 + p.x * 0.37 + p.y * 0.11;
   for (int i = 0; i < 9; ++i) {
     t += 0.37;
     c += vec4(f(-0.0001 * t * t * t), g(-0.3 * p * 0.7, t + 0.1 + 0.7), sum(f(t * 0.3 * 0.7), 0.1 + t + 0.2));
+    c.x += along(Ray(vec3(t * -0.0001 * t * t), vec3(p * t * 0.7, 0.1)), float[2](-0.3 * t * 0.7, t * 0.3 * t * 0.9));
   }
 }
 )");

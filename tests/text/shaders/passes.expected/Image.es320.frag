@@ -24,10 +24,10 @@ void main ( ) { precise bool shadertwin_test; precise vec4 shadertoy_color = vec
 
 float wave ( precise float t , precise float hertz ) { precise bool shadertwin_test; precise float shadertwin_result; return (shadertwin_result = (sin ( uintBitsToFloat ( floatBitsToUint ( 6.2831853 * hertz * t ) ^ shadertwin_zero ) ))) ; }
 
-void mainImage ( precise out vec4 c , precise in vec2 p ) { precise bool shadertwin_test; c = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 c , precise in vec2 p ) { precise bool shadertwin_test; precise bool shadertwin_argument_0; c = vec4 ( 0 ) ;
 precise float levels [ 3 ] = float [ 3 ] ( 0.0 , 0.0 , 0.0 ) ;
 levels [ shadertwin_at ( ( shadertwin_safe_modulo ( int ( shadertwin_safe_int ( p . x ) ) , 3 ) ) , 2 ) ] = texture ( iChannel0 , p / iResolution . xy ) . x ;
-st_assert ( levels [ 0 ] >= 0.0 ) ;
+st_assert ( (shadertwin_argument_0 = (levels [ 0 ] >= 0.0)) ) ;
 c = vec4 ( levels [ 0 ] , levels [ 1 ] , iChannelResolution [ 0 ] . xy ) ;
 }
 void mainVR ( precise out vec4 c , precise in vec2 p , precise in vec3 origin , precise in vec3 direction ) { precise bool shadertwin_test; c = vec4 ( 0 ) ; c = vec4 ( direction , 1.0 ) ; }
