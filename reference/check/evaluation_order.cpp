@@ -83,10 +83,16 @@ class OrderFinder : public TIntermTraverser {
     for (std::size_t i = 0; i < parts.size(); ++i)
       for (std::size_t k = 0; k < parts.size(); ++k) {
         if (i == k) continue;
-        for (const SymbolId id : parts[i].effects.writes)
-          if (id != emit::Program::control_flow && parts[k].effects.writes.count(id) == 0 &&
-              ((k < i && parts[k].effects.reads.count(id) != 0) || parts[k].taken_in.count(id) != 0))
-            add(at, id);
+        for (const SymbolId id : parts[i].effects.writes) {
+          if (id == emit::Program::control_flow || parts[k].effects.writes.count(id) != 0) continue;
+          if (parts[k].taken_in.count(id) != 0)
+            add(at, id,
+                "is passed as `inout` while another argument changes it: compilers do not agree which value "
+                "comes "
+                "in");
+          else if (k < i && parts[k].effects.reads.count(id) != 0)
+            add(at, id, "is read and then changed in one expression: some compilers change it first");
+        }
       }
   }
 
@@ -98,16 +104,13 @@ class OrderFinder : public TIntermTraverser {
     found.emplace_back(&comma, "a call with effects of which only length() is taken: some compilers drop it");
   }
 
-  void add(const TIntermNode& at, SymbolId id) {
+  void add(const TIntermNode& at, SymbolId id, const std::string& words) {
     NameFinder finder(id);
     const_cast<TIntermNode&>(at).traverse(&finder);
     // Of a global variable that a called function uses there is no symbol here.
     for (const TIntermSymbol* global : program_.globals())
       if (finder.name.empty() && global->getId() == id) finder.name = global->getName().c_str();
-    if (!finder.name.empty())
-      found.emplace_back(
-          &at,
-          "'" + finder.name + "' is read and then changed in one expression: some compilers change it first");
+    if (!finder.name.empty()) found.emplace_back(&at, "'" + finder.name + "' " + words);
   }
 
   class NameFinder : public TIntermTraverser {
