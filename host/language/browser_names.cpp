@@ -1,5 +1,8 @@
 #include "host/language/browser_names.h"
 
+#include <array>
+#include <initializer_list>
+
 #include "host/language/tokens.h"
 
 namespace shadertwin {
@@ -84,6 +87,51 @@ const std::vector<Overload>& open_builtins() {
       {"textureLod", "vec4", {"samplerCube", "vec3", "float"}},
       {"textureGrad", "vec4", {"samplerCube", "vec3", "vec3", "vec3"}},
       {"textureSize", "ivec2", {"samplerCube", "int"}}};
+  return overloads;
+}
+
+namespace {
+
+std::vector<Overload> overloads_of_es100() {
+  std::vector<Overload> all = open_builtins();
+  const auto add = [&all](std::initializer_list<std::string_view> names, std::string_view result,
+                          std::vector<std::string_view> parameters) {
+    for (const std::string_view name : names) all.push_back({name, result, parameters});
+  };
+  for (const std::string_view t : {"float", "vec2", "vec3", "vec4"}) {
+    add({"radians", "degrees", "sin",  "cos",         "tan", "asin", "acos",  "atan", "exp",   "log",
+         "exp2",    "log2",    "sqrt", "inversesqrt", "abs", "sign", "floor", "ceil", "fract", "normalize"},
+        t, {t});
+    add({"atan", "pow", "mod", "min", "max", "step", "reflect"}, t, {t, t});
+    add({"clamp", "smoothstep", "faceforward"}, t, {t, t, t});
+    add({"refract"}, t, {t, t, "float"});
+    add({"length"}, "float", {t});
+    add({"distance", "dot"}, "float", {t, t});
+    if (t == "float") continue;
+    add({"mod", "min", "max"}, t, {t, "float"});
+    add({"clamp"}, t, {t, "float", "float"});
+    add({"step"}, t, {"float", t});
+    add({"smoothstep"}, t, {"float", "float", t});
+  }
+  add({"cross"}, "vec3", {"vec3", "vec3"});
+  for (const std::string_view t : {"mat2", "mat3", "mat4"}) add({"matrixCompMult"}, t, {t, t});
+  for (const auto& [floats, ints, bools] : {std::array<std::string_view, 3>{"vec2", "ivec2", "bvec2"},
+                                            {"vec3", "ivec3", "bvec3"},
+                                            {"vec4", "ivec4", "bvec4"}}) {
+    for (const std::string_view t : {floats, ints})
+      add({"lessThan", "lessThanEqual", "greaterThan", "greaterThanEqual", "equal", "notEqual"}, bools,
+          {t, t});
+    add({"equal", "notEqual"}, bools, {bools, bools});
+    add({"any", "all"}, "bool", {bools});
+    add({"not"}, bools, {bools});
+  }
+  return all;
+}
+
+}  // namespace
+
+const std::vector<Overload>& open_builtins_of_es100() {
+  static const std::vector<Overload> overloads = overloads_of_es100();
   return overloads;
 }
 

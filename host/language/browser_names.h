@@ -25,4 +25,8 @@ struct Overload {
 // Built-in functions of GLSL ES 3.00 that browsers let a shader define again and overload.
 const std::vector<Overload>& open_builtins();
 
+// Those of GLSL ES 1.00, where a shader may do so with all, and of its functions for textures as 3.00 has
+// them.
+const std::vector<Overload>& open_builtins_of_es100();
+
 }  // namespace shadertwin

@@ -88,11 +88,26 @@ glm::vec3 channel_size(const Project& project, const Input& input, const Texture
   return glm::vec3(0.0F);
 }
 
+namespace {
+
+// The passes in the order in which shadertoy.com loads them. A new shader has an Image there before other
+// tabs.
+std::vector<const Pass*> as_loaded(const Project& project) {
+  std::vector<const Pass*> passes;
+  for (const Pass& pass : project.passes) passes.push_back(&pass);
+  std::stable_sort(passes.begin(), passes.end(), [](const Pass* a, const Pass* b) {
+    return std::pair(a->tab, a->kind != PassKind::image) < std::pair(b->tab, b->kind != PassKind::image);
+  });
+  return passes;
+}
+
+}  // namespace
+
 Project with_shared_samplers(Project project) {
   if (!host_rules(project).shared_samplers) return project;
   std::map<int, Wrap> wraps;  // by the pass that is read
-  for (const Pass& pass : project.passes)
-    for (const Input& input : pass.inputs)
+  for (const Pass* pass : as_loaded(project))
+    for (const Input& input : pass->inputs)
       if (input.kind == InputKind::pass) wraps[input.pass] = input.sampler.wrap;
   for (Pass& pass : project.passes) {
     std::map<int, Sampler> last;

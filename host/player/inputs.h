@@ -17,8 +17,8 @@ Texture load_texture(const Input& input);
 Input bound_input(const Pass& pass, std::size_t channel);
 
 // The project with the samplers that its passes are really read with. On shadertoy.com a buffer has one
-// texture object: the last input of all that reads it sets how it wraps, the last channel of a pass how that
-// pass filters it. The extension's inputs keep their own.
+// texture object: the last input of all that reads it, in the order of the tabs, sets how it wraps, the last
+// channel of a pass how that pass filters it. The extension's inputs keep their own.
 Project with_shared_samplers(Project project);
 
 // iChannelResolution of an input. `texture`: what load_texture gave for a file input, else null.

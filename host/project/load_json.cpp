@@ -100,6 +100,7 @@ class JsonLoader {
     Parsed parsed;
     parsed.json = &json;
     parsed.pass.code = code;
+    parsed.pass.tab = static_cast<int>(parsed_.size());
     const auto known = std::find_if(pass_kinds.begin(), pass_kinds.end(),
                                     [&](const PassTraits& kind) { return kind.name == type; });
     if (known == pass_kinds.end()) fail("a pass has the unknown type \"" + type + "\"");

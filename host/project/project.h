@@ -125,6 +125,7 @@ struct Pass {
   PassKind kind = PassKind::image;
   PassSource source;
   std::array<Input, max_channels> inputs;
+  int tab = 0;  // its place among a JSON's passes: there shadertoy.com loads them in that order
   // The pass's own vertex shader (#iVertex): it places the six vertices of two triangles by gl_VertexID,
   // those that turn their backs are not drawn, and its outputs are the fragments' inputs. Nothing: every
   // pixel is drawn.

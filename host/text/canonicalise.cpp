@@ -21,7 +21,8 @@ bool is_precision(const Token& token) {
 
 class Rewriter {
  public:
-  explicit Rewriter(std::string_view text) : text_(text), tokens_(tokenize(text)) {}
+  Rewriter(std::string_view text, const std::vector<Overload>& open)
+      : text_(text), tokens_(tokenize(text)), open_(open) {}
 
   std::string run() {
     find_declared();
@@ -178,8 +179,7 @@ class Rewriter {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       if (!tokens_[i].is("(") || !opens_function(i)) continue;
       const std::string_view name = tokens_[i - 1].text;
-      const auto& overloads = open_builtins();
-      if (std::none_of(overloads.begin(), overloads.end(), [&](const Overload& o) { return o.name == name; }))
+      if (std::none_of(open_.begin(), open_.end(), [&](const Overload& o) { return o.name == name; }))
         continue;
       own[name].insert(signature(i));
       first.emplace(name, i - 2);
@@ -191,9 +191,9 @@ class Rewriter {
     }
   }
 
-  static std::string forwarders(std::string_view name, const std::set<std::string>& own) {
+  std::string forwarders(std::string_view name, const std::set<std::string>& own) const {
     std::string text;
-    for (const Overload& overload : open_builtins()) {
+    for (const Overload& overload : open_) {
       if (overload.name != name) continue;
       std::string types, parameters, arguments;
       for (const std::string_view type : overload.parameters) {
@@ -257,6 +257,7 @@ class Rewriter {
 
   std::string_view text_;
   std::vector<Token> tokens_;
+  const std::vector<Overload>& open_;  // built-ins that the shader may define again
   std::vector<Edit> edits_;
   std::set<std::string_view> renamed_;
   std::set<std::size_t> members_;
@@ -265,8 +266,8 @@ class Rewriter {
 
 }  // namespace
 
-std::string canonicalise(std::string_view text) {
-  return Rewriter(text).run();
+std::string canonicalise(std::string_view text, bool es100) {
+  return Rewriter(text, es100 ? open_builtins_of_es100() : open_builtins()).run();
 }
 
 }  // namespace shadertwin

@@ -56,15 +56,6 @@ constexpr std::array<Definition, 9> definitions = {{
      "return b == 0 ? -1 : r; }"},
 }};
 
-std::string type_name(const glslang::TType& type) {
-  const bool is_float = type.getBasicType() == glslang::EbtFloat;
-  const bool is_int = type.getBasicType() == glslang::EbtInt;
-  if (type.isMatrix())
-    return "mat" + std::to_string(type.getMatrixCols()) + 'x' + std::to_string(type.getMatrixRows());
-  if (type.getVectorSize() == 1) return is_float ? "float" : is_int ? "int" : "uint";
-  return (is_float ? "vec" : is_int ? "ivec" : "uvec") + std::to_string(type.getVectorSize());
-}
-
 // How many elements a type has, and of what type they are; a number has one.
 int elements_of(const std::string& type) {
   const std::size_t at = type.find_first_of("234");
@@ -241,7 +232,7 @@ class Operations : public glslang::TIntermTraverser {
   void convert(const TIntermTyped& operand, const std::string& name) {
     const int inside = tree_.token_of(operand);
     const std::string vector = name == "int" ? "ivec" : "uvec";
-    for (int open = enclosing(inside); open > 0; open = enclosing(open)) {
+    for (int open = enclosing_bracket(tokens_, inside); open > 0; open = enclosing_bracket(tokens_, open)) {
       const std::string& constructor = text(open - 1);
       if (constructor != name && !constructor.starts_with(vector)) continue;
       const TokenRange argument = argument_around(tokens_, open, inside);
@@ -251,17 +242,6 @@ class Operations : public glslang::TIntermTraverser {
       define(name, size == 1 ? name : vector + std::to_string(size), types_of({&operand}));
       return;
     }
-  }
-
-  // The bracket that opens around a token of an expression; -1 if none does.
-  int enclosing(int token) const {
-    for (int i = token - 1; i >= 0; --i) {
-      const std::string& at = text(i);
-      if (at == "(" || at == "[") return i;
-      if (at == ")" || at == "]") i = opening_bracket(tokens_, i);
-      if (at == ";" || at == "{" || at == "}") break;
-    }
-    return -1;
   }
 
   bool is_unsigned(const TokenRange& range) const {

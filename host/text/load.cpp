@@ -26,7 +26,9 @@ void warn_of_defines(Project& project) {
 Project load_project(const std::filesystem::path& shader, const LoadOptions& options) {
   Project project = read_project(shader, options);
   project.uniforms.insert(project.uniforms.end(), options.uniforms.begin(), options.uniforms.end());
-  const auto canonicalise_body = [&](PassSource& source) { source.body = canonicalise(source.body); };
+  const auto canonicalise_body = [&](PassSource& source) {
+    source.body = canonicalise(source.body, source.es100);
+  };
   for (std::size_t i = 0; i < project.passes.size(); ++i) {
     Pass& pass = project.passes[i];
     resolve_macros(project, pass.source, ShaderStage::fragment);

@@ -132,6 +132,16 @@ TokenRange right_operand(const std::vector<PlainToken>& tokens, int operation) {
   }
 }
 
+int enclosing_bracket(const std::vector<PlainToken>& tokens, int token) {
+  for (int i = token - 1; i >= 0; --i) {
+    const std::string& at = text_at(tokens, i);
+    if (at == "(" || at == "[") return i;
+    if (at == ")" || at == "]") i = opening_bracket(tokens, i);
+    if (at == ";" || at == "{" || at == "}") break;
+  }
+  return -1;
+}
+
 TokenRange argument_around(const std::vector<PlainToken>& tokens, int open, int inside) {
   const int close = closing_bracket(tokens, open);
   int first = open + 1;

@@ -21,6 +21,9 @@ struct TokenRange {
 int closing_bracket(const std::vector<PlainToken>& tokens, int open);
 int opening_bracket(const std::vector<PlainToken>& tokens, int close);
 
+// The ( or [ that opens around a token of an expression; -1 if none does.
+int enclosing_bracket(const std::vector<PlainToken>& tokens, int token);
+
 // Of `/`, `%` and the assignments /= and %=.
 TokenRange left_operand(const std::vector<PlainToken>& tokens, int operation);
 TokenRange right_operand(const std::vector<PlainToken>& tokens, int operation);

@@ -2,6 +2,7 @@
 
 #include "host/project/kinds.h"
 #include "host/text/define_undefined.h"
+#include "host/text/hide_known_values.h"
 #include "host/text/make_precise.h"
 #include "host/text/resolve_macros.h"
 #include "host/text/storage.h"
@@ -19,10 +20,10 @@ bool no_fault(Fault /*fault*/) {
   return false;
 }
 
-PassSource precise_source(const Project& project, const Pass& pass, const ShowsFault& shows_fault) {
-  if (project.undefined == Undefined::raw) return make_precise(project, pass.source);
-  const PassSource defined = define_undefined(project, pass.source).value_or(pass.source);
-  return make_precise(project, work_around(defined, shows_fault));
+// What is to be made precise.
+PassSource defined_source(const Project& project, const Pass& pass, const ShowsFault& shows_fault) {
+  if (project.undefined == Undefined::raw) return pass.source;
+  return work_around(define_undefined(project, pass.source).value_or(pass.source), shows_fault);
 }
 
 }  // namespace
@@ -32,7 +33,8 @@ std::vector<PassSource> driver_sources(const Project& project, const Pass& pass,
   throw_if_refused(pass.source);
   if (pass.vertex.has_value()) throw_if_refused(*pass.vertex);
   if (project.undefined == Undefined::raw) refuse_large_variables(project, pass.source);
-  if (wants_precise(project, pass)) return {precise_source(project, pass, shows_fault)};
+  if (wants_precise(project, pass))
+    return {make_precise(project, hide_known_values(project, defined_source(project, pass, shows_fault)))};
   std::vector<PassSource> sources;
   if (project.undefined == Undefined::zero)
     if (auto defined = define_undefined(project, pass.source))
@@ -43,7 +45,8 @@ std::vector<PassSource> driver_sources(const Project& project, const Pass& pass,
 
 PassSource twin_source(const Project& project, const Pass& pass) {
   throw_if_refused(pass.source);
-  return wants_precise(project, pass) ? precise_source(project, pass, no_fault) : pass.source;
+  if (!wants_precise(project, pass)) return pass.source;
+  return make_precise(project, defined_source(project, pass, no_fault));
 }
 
 }  // namespace shadertwin

@@ -10,6 +10,7 @@
 //   write_host_text   uniforms and main()              host/text/host_text.h
 //   define_undefined  zero where GLSL gives anything   host/text/define_undefined.h
 //   work_around       for a driver with faults         host/text/work_around.h
+//   hide_known_...    for a precise text               host/text/hide_known_values.h
 //   make_precise      operations in the text's order   host/text/make_precise.h
 //   render            the whole text for a device      host/text/render.h
 //

@@ -87,6 +87,15 @@ SyntaxTree::SyntaxTree(const Project& project, const PassSource& source, Folding
   declarations_ = std::make_unique<Declarations>(tokens_);
 }
 
+std::string type_name(const glslang::TType& type) {
+  const bool is_float = type.getBasicType() == glslang::EbtFloat;
+  const bool is_int = type.getBasicType() == glslang::EbtInt;
+  if (type.isMatrix())
+    return "mat" + std::to_string(type.getMatrixCols()) + 'x' + std::to_string(type.getMatrixRows());
+  if (type.getVectorSize() == 1) return is_float ? "float" : is_int ? "int" : "uint";
+  return (is_float ? "vec" : is_int ? "ivec" : "uvec") + std::to_string(type.getVectorSize());
+}
+
 int SyntaxTree::token_of(const TIntermNode& node) const {
   const int token = node.getLoc().line - 1;
   return token < static_cast<int>(tokens_.size()) ? token : -1;

@@ -44,6 +44,9 @@ bool is_constant_that(const glslang::TIntermTyped& node, Test holds) {
   return true;
 }
 
+// Of a number, a vector or a matrix of numbers, as GLSL writes it.
+std::string type_name(const glslang::TType& type);
+
 class SyntaxTree {
  public:
   // Parses a pass's whole text, `#version 300 es` or `#version 320 es`. Throws Error(shader) with lines

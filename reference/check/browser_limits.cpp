@@ -15,6 +15,8 @@ using namespace glslang;
 // Operators that ANGLE does not take although the language leaves them open.
 class OperatorFinder : public TIntermTraverser {
  public:
+  explicit OperatorFinder(const SyntaxTree& tree) : tree_(tree) {}
+
   std::vector<std::pair<const TIntermNode*, std::string>> found;
 
   bool visitSelection(TVisit, TIntermSelection* choice) override {
@@ -25,7 +27,8 @@ class OperatorFinder : public TIntermTraverser {
   }
 
   bool visitAggregate(TVisit, TIntermAggregate* node) override {
-    if (node->getOp() != EOpComma) return true;
+    // The tree has f().length() as (f(), 3), too.
+    if (node->getOp() != EOpComma || tree_.token_text(*node) != ",") return true;
     const bool wrong =
         std::any_of(node->getSequence().begin(), node->getSequence().end(), [](TIntermNode* part) {
           const TIntermTyped* typed = part->getAsTyped();
@@ -46,6 +49,9 @@ class OperatorFinder : public TIntermTraverser {
     }
     return true;
   }
+
+ private:
+  const SyntaxTree& tree_;
 };
 
 class Limits {
@@ -66,7 +72,7 @@ class Limits {
   }
 
   void operators() {
-    OperatorFinder finder;
+    OperatorFinder finder(tree_);
     const_cast<TIntermAggregate&>(tree_.root()).traverse(&finder);  // it has no const traversal
     for (const auto& [node, text] : finder.found) add(tree_.token_of(*node), text);
   }

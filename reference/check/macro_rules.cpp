@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "host/language/tokens.h"
 #include "reference/check/rules.h"
@@ -39,6 +40,7 @@ class MacroReader {
                             "macro '" + std::string(name) +
                                 "' names itself and is another one's argument: some preprocessors expand "
                                 "it twice");
+    find_directives_in_arguments();
     return std::move(found_);
   }
 
@@ -90,6 +92,25 @@ class MacroReader {
       }
     }
     return false;
+  }
+
+  void find_directives_in_arguments() {
+    std::vector<std::string_view> open;  // the macro that each parenthesis belongs to, or nothing
+    bool told = false;                   // of this invocation
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      const bool directive = tokens_[i].first && tokens_[i].is("#");
+      if (!directive && tokens_[i].preprocessor) continue;
+      if (tokens_[i].is("("))
+        open.push_back(i > 0 && !tokens_[i - 1].preprocessor && takes_parameters(tokens_[i - 1].text)
+                           ? tokens_[i - 1].text
+                           : "");
+      if (tokens_[i].is(")") && !open.empty()) open.pop_back();
+      const auto macro = std::find_if(open.begin(), open.end(), [](auto name) { return !name.empty(); });
+      if (macro == open.end()) told = false;
+      if (directive && macro != open.end() && !std::exchange(told, true))
+        found_.emplace_back(tokens_[i].line, "a directive between the arguments of macro '" +
+                                                 std::string(*macro) + "': some preprocessors refuse it");
+    }
   }
 
   // Where the code has the macro within the parentheses of another one's invocation; 0: nowhere.

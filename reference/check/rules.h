@@ -32,12 +32,12 @@ std::vector<Finding> endless_loops(const ParsedPass& parsed);
 std::vector<Finding> browser_limits(const ParsedPass& parsed);
 
 // Expressions that read a variable and change it, in operands or arguments that compilers evaluate in
-// different orders, kind `portability`.
+// different orders, and calls that some drop, kind `portability`.
 std::vector<Finding> evaluation_order(const ParsedPass& parsed);
 
 // Macros that preprocessors other than browsers' expand differently, kind `portability`: those that name
-// themselves where they are another one's argument, and those that open an invocation which the text behind
-// them closes.
+// themselves where they are another one's argument, those that open an invocation which the text behind them
+// closes, and directives between arguments.
 std::vector<Finding> macro_rules(const Project& project);
 
 // `out` parameters that some path through their function leaves unwritten, kind `out`. A loop counts as if

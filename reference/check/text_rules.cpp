@@ -111,12 +111,14 @@ class TextRules {
       : project_(project), pass_(pass), first_line_(first_line), tokens_(tokenize(text)) {}
 
   std::vector<Finding> findings() {
+    note_code();
     for (at_ = 0; at_ < tokens_.size(); ++at_) {
       const Token& token = tokens_[at_];
       if (token.preprocessor) {
         directive();
         continue;
       }
+      if (is_skipped_here(token)) continue;
       if (token.is("{") || token.is("(")) ++depth_;
       if (token.is("}") || token.is(")")) depth_ = std::max(depth_ - 1, 0);
       if (token.kind == Kind::identifier) identifier(token.text);
@@ -155,6 +157,26 @@ class TextRules {
     if (told_.insert(text).second) findings_.push_back(make_finding(project_, pass_, at, kind, text));
   }
 
+  // What the preprocessor leaves of the text, and which names it replaces.
+  void note_code() {
+    PassSource plain = pass_.source;
+    plain.body = plain.written;
+    resolve_macros(project_, plain, ShaderStage::fragment);
+    has_code_.resize(pass_.source.lines.size() + 2);
+    for (const Token& token : tokenize(plain.body))
+      if (const auto line = static_cast<std::size_t>(token.line); line < has_code_.size())
+        has_code_[line] = true;
+    for (std::size_t i = 0; i + 2 < tokens_.size(); ++i)
+      if (tokens_[i].first && tokens_[i].is("#") && tokens_[i + 1].is("define"))
+        macros_.insert(tokens_[i + 2].text);
+  }
+
+  // Groups that ask for a local host are judged for either host, the others as they are resolved here.
+  bool is_skipped_here(const Token& token) const {
+    const auto line = static_cast<std::size_t>(token.line);
+    return audience_.site() && audience_.extension() && line < has_code_.size() && !has_code_[line];
+  }
+
   void directive() {
     if (!tokens_[at_].first || !tokens_[at_].is("#")) {
       // The text of a macro becomes code where it is used.
@@ -173,7 +195,7 @@ class TextRules {
 
   // What the user's text does to names that the hosts put around it. `before_` may be a type.
   void declaration(std::string_view name) {
-    if (before_ == "." || before_ == "return" || before_ == "else") return;
+    if (before_ == "." || before_ == "return" || before_ == "else" || macros_.contains(name)) return;
     const bool calls = next_is("(");
     const bool variable = depth_ == 0 && (next_is(";") || next_is("=") || next_is(",") || next_is("["));
     const std::string quoted = "'" + std::string(name) + "'";
@@ -301,6 +323,8 @@ class TextRules {
   int depth_ = 0;  // of braces and parentheses
   bool in_define_ = false;
   std::vector<std::size_t> open_;  // groups of #if
+  std::vector<bool> has_code_;     // by line, from 1
+  std::set<std::string_view> macros_;
   std::set<std::string> told_;
   std::vector<Finding> findings_;
 };

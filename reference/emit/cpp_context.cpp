@@ -205,6 +205,8 @@ std::string CppContext::local(const TIntermSymbol& symbol) {
 }
 
 std::string CppContext::builtin(const std::string& glsl_name) const {
+  // The one whose steps Mesa rearranges, but not in a precise text.
+  if (glsl_name == "atan" && program_.tree().is_precise()) return "atan_strict";
   return cpp_name(glsl_name);
 }
 

@@ -31,10 +31,11 @@ const std::set<std::string>& cpp_words() {
 // names, and macros are undefined.
 const std::set<std::string>& emitted_words() {
   static const std::set<std::string> words = {
-      "Anonymous",  "Bind",       "Bool",        "Float",      "Int",     "Invocation", "PixelLoop",
-      "Shader",     "Uint",       "array",       "as_pixel",   "at",      "bind",       "checked_divide",
-      "divide",     "glsl",       "make",        "mix_strict", "modulo",  "output",     "packet",
-      "shadertwin", "shift_left", "shift_right", "std",        "swizzle", "uint",       "unwritten"};
+      "Anonymous",   "Bind",   "Bool",           "Float",  "Int",         "Invocation",
+      "PixelLoop",   "Shader", "Uint",           "array",  "atan_strict", "as_pixel",
+      "at",          "bind",   "checked_divide", "divide", "glsl",        "make",
+      "mix_strict",  "modulo", "output",         "packet", "shadertwin",  "shift_left",
+      "shift_right", "std",    "swizzle",        "uint",   "unwritten"};
   return words;
 }
 

@@ -1,5 +1,8 @@
 #include "reference/glsl/mipmaps.h"
 
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 
 #include "reference/glsl/filtering.h"
@@ -68,10 +71,19 @@ class QuadCoordinates {
   Plane t_[2];
 };
 
+// The half next to a float on the side of zero, as llvmpipe writes what it draws.
+float cut_to_half(float x) {
+  const float size = std::fabs(x);
+  if (size < 0x1p-14F) return std::trunc(x * 0x1p24F) * 0x1p-24F;
+  if (size > 65504.0F && std::isfinite(x)) return std::copysign(65504.0F, x);
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) & 0xffffe000U);
+}
+
 }  // namespace
 
 // Each texel is a linear sample of the level above.
-void shrink(bool is_float, const TextureLevel& from, const TextureLevel& to, std::byte* texels, int layers) {
+void shrink(Texel texel, const TextureLevel& from, const TextureLevel& to, std::byte* texels, int layers) {
+  const bool is_float = texel != Texel::bytes;
   TextureView source;
   source.is_float = is_float;
   source.levels = 1;
@@ -93,6 +105,8 @@ void shrink(bool is_float, const TextureLevel& from, const TextureLevel& to, std
                             (static_cast<float>(z) + 0.5F) / static_cast<float>(to.depth)};
         float rgba[4];
         sampling.sample(source, state, p, offset, LodRequest{}, rgba);
+        if (texel == Texel::halves)
+          for (float& value : rgba) value = cut_to_half(value);
         if (is_float) {
           std::memcpy(texels, rgba, sizeof rgba);
         } else {

@@ -57,16 +57,17 @@ BoundTexture bound(const TextureImage* image, const shadertwin::Sampler& sampler
 
 }  // namespace
 
-TextureImage::TextureImage(const Texture& texture, bool mipmaps) {
+TextureImage::TextureImage(const Texture& texture, bool mipmaps, bool halves) {
   SHADERTWIN_ASSERT_EQ(texture.data.size(), texture.texel_bytes() * texture.width * texture.height *
                                                 texture.depth * texture.faces);
   view_.is_float = texture.format == Texture::Format::rgba32f;
   view_.levels = 1;
   view_.level[0] = {texture.data.data(), texture.width, texture.height, texture.depth};
-  if (mipmaps) add_mipmaps(texture.faces);
+  if (mipmaps) add_mipmaps(texture.faces, halves);
 }
 
-void TextureImage::add_mipmaps(int faces) {
+void TextureImage::add_mipmaps(int faces, bool halves) {
+  const Texel texel = !view_.is_float ? Texel::bytes : halves ? Texel::halves : Texel::floats;
   const FlushDenormals flush;
   while (view_.levels < TextureView::max_levels) {
     const TextureLevel& from = view_.level[view_.levels - 1];
@@ -76,7 +77,7 @@ void TextureImage::add_mipmaps(int faces) {
     const int layers = to.depth * faces;
     const std::size_t texel_bytes = view_.is_float ? 16 : 4;
     mipmaps_.emplace_back(texel_bytes * to.width * to.height * layers);
-    shrink(view_.is_float, from, to, mipmaps_.back().data(), layers);
+    shrink(texel, from, to, mipmaps_.back().data(), layers);
     to.texels = mipmaps_.back().data();
     view_.level[view_.levels++] = to;
   }

@@ -13,13 +13,14 @@ namespace shadertwin::glsl {
 // as glGenerateMipmap does on llvmpipe.
 class TextureImage {
  public:
-  // Refers to texture's texels: `texture` must outlive this and not change.
-  TextureImage(const Texture& texture, bool mipmaps);
+  // Refers to texture's texels: `texture` must outlive this and not change. `halves`: each is one that half
+  // floats hold, and so are those of mipmaps.
+  TextureImage(const Texture& texture, bool mipmaps, bool halves = false);
 
   const TextureView& view() const { return view_; }
 
  private:
-  void add_mipmaps(int faces);
+  void add_mipmaps(int faces, bool halves);
 
   TextureView view_;
   std::vector<std::vector<std::byte>> mipmaps_;

@@ -96,9 +96,10 @@ SHADERTWIN_OUTLINE F acos_of(F x) {
     return constant<F>(half_pi) - asin_with<F>(x, 0.08132463F, -0.02363318F);
 }
 
-// The last product is associated as Mesa's optimiser does it: nothing else uses x^11.
-template <class F>
-SHADERTWIN_OUTLINE F atan_of(F y_over_x) {
+// Mesa's optimiser associates the last product in its own way, since nothing else uses x^11, but not where
+// the text is `precise`: strict.
+template <bool strict, class F>
+SHADERTWIN_INLINE F arc_of(F y_over_x) {
   if constexpr (uses_libm<F>) {
     return std::atan(y_over_x);
   } else {
@@ -110,15 +111,16 @@ SHADERTWIN_OUTLINE F atan_of(F y_over_x) {
     const F x5 = x3 * x2;
     const F x7 = x5 * x2;
     const F x9 = x7 * x2;
+    const F last = strict ? (x9 * x2) * -0.0121323213173444F : (x9 * -0.0121323213173444F) * x2;
     const F angle = x * 0.9999793128310355F + x3 * -0.3326756418091246F + x5 * 0.1938924977115610F +
-                    x7 * -0.1173503194786851F + x9 * 0.0536813784310406F + (x9 * -0.0121323213173444F) * x2;
+                    x7 * -0.1173503194786851F + x9 * 0.0536813784310406F + last;
     return select__(m > 1.0F, (angle * -2.0F + constant<F>(half_pi)) + angle, angle) * sign_of(y_over_x);
   }
 }
 
 // The left half-plane is turned by pi/2, so that no division by zero lies along x = 0. Of two zeros: 0.
-template <class F>
-SHADERTWIN_OUTLINE F atan_of(F y, F x) {
+template <bool strict, class F>
+SHADERTWIN_INLINE F arc_of(F y, F x) {
   SHADERTWIN_PROBE(x == 0.0F && y == 0.0F, atan_of_zeros);
   if constexpr (uses_libm<F>) {
     return x == 0.0 && y == 0.0 ? 0.0 : std::atan2(y, x);
@@ -130,10 +132,27 @@ SHADERTWIN_OUTLINE F atan_of(F y, F x) {
     const F reciprocal = 1.0F / (t * scale);
     const F s_over_t = (s * scale) * reciprocal;
     const F tangent = select__(magnitude_of(x) == magnitude_of(y), constant<F>(1.0F), magnitude_of(s_over_t));
-    const F arc = select__(flip, constant<F>(half_pi), constant<F>(0.0F)) + atan_of(tangent);
+    const F arc = select__(flip, constant<F>(half_pi), constant<F>(0.0F)) + arc_of<strict>(tangent);
     const F angle = select__((y < 0.0F) | (reciprocal < 0.0F), -arc, arc);
     return select__(x == 0.0F, select__(y == 0.0F, constant<F>(0.0F), angle), angle);
   }
+}
+
+template <class F>
+SHADERTWIN_OUTLINE F atan_of(F y_over_x) {
+  return arc_of<false>(y_over_x);
+}
+template <class F>
+SHADERTWIN_OUTLINE F atan_of(F y, F x) {
+  return arc_of<false>(y, x);
+}
+template <class F>
+SHADERTWIN_OUTLINE F atan_strict_of(F y_over_x) {
+  return arc_of<true>(y_over_x);
+}
+template <class F>
+SHADERTWIN_OUTLINE F atan_strict_of(F y, F x) {
+  return arc_of<true>(y, x);
 }
 
 template <class F>

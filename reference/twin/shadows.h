@@ -88,6 +88,7 @@ class Shadows {
 #define SHADERTWIN_HELPER(f, ...)
 #include "reference/glsl/builtins.def"
   SHADERTWIN_FUNCTION_AT(mix_strict)
+  SHADERTWIN_FUNCTION_AT(atan_strict)
 #undef SHADERTWIN_FUNCTION_AT
 
   // Numbers that are assigned or returned.

@@ -32,6 +32,7 @@ Surface::Surface(Texture texels, bool mipmaps) : texture_(std::move(texels)), mi
 Surface::Surface(int faces, bool mipmaps, Numbers numbers) : numbers_(numbers), mipmaps_(mipmaps) {
   texture_.format = Texture::Format::rgba32f;
   texture_.faces = faces;
+  halves_ = faces > 1;
 }
 
 void Surface::upload(const Texture& texels) {
@@ -66,7 +67,7 @@ void Surface::finish_drawing() {
   auto* floats = reinterpret_cast<float*>(texture_.data.data());
   std::transform(doubles_.begin(), doubles_.end(), floats, [](double v) { return static_cast<float>(v); });
   std::transform(shadows_.begin(), shadows_.end(), floats, [](const ShadowNumber& v) { return v.value; });
-  image_ = std::make_unique<glsl::TextureImage>(texture_, mipmaps_);
+  image_ = std::make_unique<glsl::TextureImage>(texture_, mipmaps_, halves_);
   if (!shadows_.empty()) finish_companions();
 }
 

@@ -54,6 +54,7 @@ class Surface {
   std::vector<double> doubles_;
   std::vector<ShadowNumber> shadows_;
   bool mipmaps_;
+  bool halves_ = false;  // a cube that is drawn holds half floats
   std::unique_ptr<glsl::TextureImage> image_;
   // Of shadows: the exact texels rounded to float, what that leaves, and origins.
   struct Companion {

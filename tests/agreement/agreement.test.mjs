@@ -63,6 +63,11 @@ test('what only transcendental functions make differ is precision', () => {
   assert.deepEqual([status, verdicts], [0, ['precision']]);
 });
 
+test('the page plays passes that are not there, and iCh1 of a shader that leaves iCh0 alone', () => {
+  const file = path.resolve(here, '../emit/shaders/green/missing-passes.json');
+  assert.deepEqual(harness([file], { options: [...small, '--frames', '2'] }).verdicts, ['same']);
+});
+
 test('a picture that has to be green and is not', () => {
   const file = shader('red.glsl', '// green\n  color = vec4(1.0, 0.0, 0.0, 1.0);');
   assert.deepEqual(harness([file], { options: small }).verdicts, ['suspect']);
@@ -84,6 +89,7 @@ test('equalised texts call plain arithmetic where no constant is asked for', () 
   assert.match(changed, /const float c = cos\(2\.0\)/);
   assert.match(changed, /equal_pow\(x, 2\.0\)/);
   assert.match(changed, /\/\/ sin\(x\)/);
+  assert.match(equalise('void f() { n = a.length() + length(v); }'), /a\.length\(\) \+ equal_length\(v\)/);
   const [pass, common] = equaliseProject([{ name: 'Image', type: 'image', code, inputs: [{ sampler: { filter: 'mipmap' } }] }]);
   assert.equal(pass.inputs[0].sampler.filter, 'nearest');
   assert.equal(common.type, 'common');

@@ -109,8 +109,8 @@ function vectors() {
 // One line more in messages.
 const library = (scalars + vectors()).replaceAll('\n', ' ');
 
-// Calls in functions and in macros. A constant's initialiser has to stay a constant expression, and what a variable or a
-// function of one's own is called is no call of the built-in's.
+// Calls in functions and in macros. A constant's initialiser has to stay a constant expression, and what a variable, a
+// function of one's own or a member is called is no call of the built-in's: a.length().
 export function equalise(code) {
   const tokens = code.matchAll(/\/\/[^\n]*|\/\*[^]*?\*\/|[A-Za-z_]\w*|[^]/g);
   let text = '';
@@ -128,7 +128,8 @@ export function equalise(code) {
       if (token === 'const') constant = true;
       if (/[;{)]/.test(token) && (token !== ')' || depth === 0)) constant = false;
     }
-    text += names.includes(token) && (directive || (depth > 0 && !constant)) ? prefix + token : token;
+    const calls = names.includes(token) && (directive || (depth > 0 && !constant)) && !/\.\s*$/.test(text);
+    text += calls ? prefix + token : token;
   }
   return text;
 }

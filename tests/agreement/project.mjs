@@ -68,7 +68,8 @@ function fromTabs(folder) {
       }));
       return { name, type, code: readFileSync(path.join(folder, file), 'utf8'), inputs };
     });
-  return { passes, problems: [] };
+  // The Image is a shader's first tab.
+  return { passes: passes.sort((a, b) => (b.type === 'image') - (a.type === 'image')), problems: [] };
 }
 
 // A single shader is the Image tab of shadertoy.com's; its first comment may say what it reads.

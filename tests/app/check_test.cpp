@@ -121,6 +121,8 @@ TEST_F(CheckCommand, FindsMacrosThatPreprocessorsExpandDifferently) {
               "a.glsl:5: portability: macro 'iTime' names itself");
   expect_only(check("#define take(x) x\n#define open take((1.0)", "c = vec4(open));"),
               "a.glsl:2: portability: macro 'open' opens an invocation");
+  expect_only(check("#define TWICE(x) (2.0 * (x))", "c = vec4(TWICE(\n#if 1\n1.0\n#endif\n));"),
+              "a.glsl:4: portability: a directive between the arguments of macro 'TWICE'");
   const Outcome fine = check("#define ID(x) x\n#define max(a, b) max(a, float(b))\n#define two() ID((2.0))",
                              "c = vec4(max(1.0, 0) * ID(two()));");
   EXPECT_EQ(fine.status, 0) << fine.out << fine.err;
@@ -129,18 +131,26 @@ TEST_F(CheckCommand, FindsMacrosThatPreprocessorsExpandDifferently) {
 constexpr const char* functions_with_effects =
     "int n = 0; int next() { return ++n; } float doubled(inout float x) { x *= 2.0; return x; } void "
     "add(inout "
-    "float a, float b) { a += b; } float pair(int a, int b) { return float(a + b); }";
+    "float a, float b) { a += b; } float pair(int a, int b) { return float(a + b); } void late(int a, inout "
+    "int b) { b += a; } "
+    "float[2] numbers() { ++n; return float[2](1.0, 2.0); } float[2] pure() { return float[2](1.0, 2.0); }";
 
 TEST_F(CheckCommand, FindsWhatDependsOnTheOrderOfEvaluation) {
-  const std::vector<std::string> statements = {"c.x = pair(i++, i);",         "c.x = float(i + i++);",
-                                               "a[k] = float(k++);",          "add(x, doubled(x));",
-                                               "c.x = float(n * next());",    "x += doubled(x);",
-                                               "c.xy = vec2(x, doubled(x));", "c.x = a[k] + float(k = 1);"};
+  const std::vector<std::string> statements = {"c.x = pair(i, i++);",
+                                               "c.x = float(i + i++);",
+                                               "a[k] = float(k++);",
+                                               "add(x, doubled(x));",
+                                               "c.x = float(n * next());",
+                                               "x += doubled(x);",
+                                               "c.xy = vec2(x, doubled(x));",
+                                               "c.x = a[k] + float(k = 1);",
+                                               "late(next(), n);",
+                                               "c.x = float(numbers().length());"};
   std::string text = "c = vec4(0.0); int i = 1, k = 0; float x = p.x; float a[3] = float[3](1.0, 2.0, 3.0);";
   for (const std::string& statement : statements) text += '\n' + statement;
   const Outcome outcome = check(functions_with_effects, text);
   for (std::size_t i = 0; i < statements.size(); ++i)
-    EXPECT_NE(outcome.out.find("a.glsl:" + std::to_string(i + 4) + ": portability: '"), std::string::npos)
+    EXPECT_NE(outcome.out.find("a.glsl:" + std::to_string(i + 4) + ": portability: "), std::string::npos)
         << statements[i] << '\n'
         << outcome.out;
 }
@@ -153,7 +163,8 @@ TEST_F(CheckCommand, LeavesOrdersThatAreTheTextsAlone) {
                                 "float z = doubled(c.x), y = (x = 2.0, x); c.x = y + z;\n"
                                 "bool b = i++ < 1 && i == 1; c.x = b ? float(i++) : float(i);\n"
                                 "x = doubled(x); c.x = x;\n"
-                                "i = 0; c.x = a[i++] + a[0];\n");
+                                "i = 0; c.x = a[i++] + a[0] + float(pair(i++, i));\n"
+                                "c.x = length(c = c * 2.0) - c.x + float(pure().length());\n");
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 

@@ -79,6 +79,20 @@ TEST(CubemapPass, KeepsHalfFloatsTheSameOnOpenGlAndTheTwin) {
   EXPECT_EQ(kept, glm::vec4(0.333251953125F, 65504.0F, 0.0F, 1.0F));
 }
 
+TEST(CubemapPass, KeepsHalfFloatsInItsMipmapsToo) {
+  const ScratchFolder folder;
+  folder.write("tabs/cubemap_a.glsl",
+               "void mainCubemap(out vec4 c, in vec2 p, in vec3 o, in vec3 d) { c = vec4(sin(d * 9.0), 1e-6 "
+               "* p.x); }\n");
+  folder.write(
+      "tabs/image.glsl",
+      "#iChannel0 \"cubemap_a.glsl\"\n#iChannel0::MinFilter \"LinearMipMapLinear\"\n"
+      "void mainImage(out vec4 c, in vec2 p) { c = textureLod(iChannel0, vec3(p - 4., 3.), p.x); }\n");
+  const Outcome outcome =
+      run(folder, "compare tabs --on llvmpipe --on cpu --size 9x5 --precise --min-equal 100");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
 TEST(VertexShader, CheckReadsTheTextAndSaysThatItDoesNotRun) {
   const ScratchFolder folder;
   folder.write("v.glsl", "varying vec2 at;\nvoid main() { at = vec2(0); gl_Position = vec4(0, 0, 0, 1); }\n");

@@ -230,6 +230,8 @@ TEST_F(NumberType, OfTheTestsOwnHasFloatsBitsInEveryBuiltin) {
   FOR_EVERY_SIZE_3(clamp);
   FOR_EVERY_SIZE_3(mix);
   FOR_EVERY_SIZE_3(mix_strict);
+  FOR_EVERY_SIZE(atan_strict);
+  FOR_EVERY_SIZE_2(atan_strict);
   FOR_EVERY_SIZE_3(smoothstep);
   FOR_EVERY_SIZE_3(faceforward);
 

@@ -53,7 +53,9 @@ TEST(SharedSamplers, ABufferWrapsAsItsLastInputAndIsFilteredAsAPassesLastChannel
   read(1, 0, MagFilter::linear, Wrap::repeat);
   read(2, 1, MagFilter::linear, Wrap::repeat);
   read(2, 3, MagFilter::nearest, Wrap::clamp);
+  project.passes[0].kind = project.passes[1].kind = PassKind::buffer;
 
+  project.passes[2].tab = 1;
   const Project site = with_shared_samplers(project);
   EXPECT_EQ(site.passes[1].inputs[0].sampler.mag, MagFilter::linear);
   EXPECT_EQ(site.passes[2].inputs[1].sampler.mag, MagFilter::nearest);
@@ -61,6 +63,9 @@ TEST(SharedSamplers, ABufferWrapsAsItsLastInputAndIsFilteredAsAPassesLastChannel
   EXPECT_EQ(site.passes[2].inputs[3].sampler.mag, MagFilter::nearest);
   EXPECT_EQ(site.passes[1].inputs[0].sampler.wrap, Wrap::clamp);
   EXPECT_EQ(site.passes[2].inputs[1].sampler.wrap, Wrap::clamp);
+
+  project.passes[2].tab = 0;  // the Image, which is drawn last, is the first tab
+  EXPECT_EQ(with_shared_samplers(project).passes[2].inputs[1].sampler.wrap, Wrap::repeat);
 
   project.dialect = Dialect::vscode;
   const Project extension = with_shared_samplers(project);

@@ -41,6 +41,18 @@ TEST(Canonicalise, RenamesGlobalVariablesNamedAsBuiltins) {
             "void f(float step) { float mix = step; }");
 }
 
+TEST(Canonicalise, RenamesOverloadsOfAllBuiltinsInEs100) {
+  const std::string text = canonicalise(
+      "float equal(float a, float b) { return 1.0; } bool f() { return equal(vec2(1.0)); }", true);
+  EXPECT_NE(text.find("bvec2 shadertwin_equal(vec2 a, vec2 b) { return equal(a, b); }"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("bvec4 shadertwin_equal(bvec4 a, bvec4 b) { return equal(a, b); }"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("float shadertwin_equal(float a, float b) { return 1.0; }"), std::string::npos) << text;
+  EXPECT_NE(text.find("return shadertwin_equal(vec2(1.0))"), std::string::npos) << text;
+  EXPECT_EQ(canonicalise("float equal(float a) { return a; }"), "float equal(float a) { return a; }");
+}
+
 TEST(Canonicalise, RenamesOverloadsOfOpenBuiltinsAndForwardsTheOthers) {
   const std::string text =
       canonicalise("float mix(float a, in float b, float t) { return a; }\nvoid f() { mix(a, b, c); }");

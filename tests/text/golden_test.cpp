@@ -13,6 +13,7 @@
 #include "host/base/error.h"
 #include "host/project/project.h"
 #include "host/text/define_undefined.h"
+#include "host/text/hide_known_values.h"
 #include "host/text/load.h"
 #include "host/text/make_precise.h"
 #include "host/text/render.h"
@@ -57,7 +58,8 @@ Texts texts_of(const fs::path& shader) {
     const std::string stem = project.passes.size() == 1 ? "" : plain(pass.name) + ".";
     add(texts, stem + "webgl.frag", [&] { return render(pass.source); });
     add(texts, stem + "es300.frag", [&] { return render(defined); });
-    add(texts, stem + "es320.frag", [&] { return render(make_precise(project, defined)); });
+    add(texts, stem + "es320.frag",
+        [&] { return render(make_precise(project, hide_known_values(project, defined))); });
     if (std::string why; can_run_as_compute(pass, &why))
       add(texts, stem + "es310.comp", [&] { return render(defined, ShaderStage::compute); });
     else

@@ -38,6 +38,17 @@ TEST(MakePrecise, MarksVariablesParametersResultsAndConditions) {
   EXPECT_TRUE(contains(text, "return (shadertwin_result = (x * b)) ;"));
 }
 
+TEST(MakePrecise, AssignsWhatIsComputedForAFunction) {
+  const std::string text = precise_body(
+      "float f(float x, out float y) { y = x; return x; }\nvoid mainImage(out vec4 c, in vec2 p) {\n  float "
+      "y;\n"
+      "  c = vec4(f(p.x * 2.0, y) + f(p.x, y) + f(f(1.0 + y, c.x), y) + sin(p.x * 2.0));\n}\n");
+  EXPECT_TRUE(contains(text, "precise float shadertwin_argument_0;"));
+  EXPECT_TRUE(contains(text,
+                       "f ( (shadertwin_argument_0 = (p . x * 2.0)) , y ) + f ( p . x , y ) + "
+                       "f ( f ( (shadertwin_argument_1 = (1.0 + y)) , c . x ) , y ) + sin ( p . x * 2.0 )"));
+}
+
 TEST(MakePrecise, LinesStayWhereTheyWere) {
   const std::string text =
       precise_body("#define K 2.0\n\nvoid mainImage(out vec4 c, in vec2 p) {\n  c =\n    vec4(K);\n}\n");

@@ -84,6 +84,24 @@ void main() {
 )");
 }
 
+// GLSL ES 1.00 lets a shader overload every built-in function, and define it again.
+TEST_P(OtherHosts, OwnFunctionsBearTheNamesOfBuiltins) {
+  expect_green("overloads", R"(precision mediump float;
+uniform vec2 resolution;
+float equal(float a, float b) { return 1.0 - step(0.01, abs(a - b)); }
+float mod(float x) { return x - floor(x); }
+mediump float length(float a, const in float b) { return length(vec2(a, b)); }
+bvec2 notEqual(vec2 a, vec2 b) { return bvec2(equal(a.x, b.x) == 0.0, true); }
+void main() {
+  vec2 p = gl_FragCoord.xy / resolution;
+  bool ok = equal(1.0, 1.001) == 1.0 && equal(p, p) == bvec2(true) && equal(bvec3(true), bvec3(false)) == bvec3(false);
+  ok = ok && abs(length(3.0, 4.0) - 5.0) < 1e-5 && length(vec3(2.0, 0.0, 0.0)) == 2.0 && mod(1.5) == 0.5 && mod(5.0, 3.0) == 2.0;
+  ok = ok && notEqual(p, p) == bvec2(false, true) && all(notEqual(vec3(p, 1.0), vec3(p + 1.0, 2.0)));
+  gl_FragColor = ok ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, 1.0);
+}
+)");
+}
+
 // Shaders of shadertoy.com as they are carried over: own variables or macros for its uniforms, an own main().
 TEST_P(OtherHosts, VariablesBearTheNamesOfUniforms) {
   expect_green("carried", std::string(R"(#extension GL_OES_standard_derivatives : enable

@@ -88,7 +88,8 @@ window.Site = class Site {
       const cube = pass.inputs.some((input) => input.channel === i && this.isCube(input));
       const sampler = cube ? 'samplerCube' : 'sampler2D';
       lines.push(`uniform ${sampler} iChannel${i};`);
-      if (pass.type === 'image')
+      // Chromium 156 loses its context where a structure with a sampler is used behind one that is not.
+      if (pass.type === 'image' && new RegExp(`\\biCh${i}\\b`).test(this.common + pass.code))
         lines.push(`uniform struct { ${sampler} sampler; vec3 size; float time; int loaded; } iCh${i};`);
     }
     if (pass.type === 'image')
@@ -349,6 +350,8 @@ uniform vec4 iDate; uniform float iSampleRate; out vec4 outColor; void main(void
     for (let i = 0; i < 4; ++i) {
       gl.uniform1i(at(`iChannel${i}`), i);
       gl.uniform1i(at(`iCh${i}.sampler`), i);
+      gl.uniform3fv(at(`iCh${i}.size`), sizes.subarray(3 * i, 3 * i + 3));
+      gl.uniform1i(at(`iCh${i}.loaded`), Number(pass.inputs.some((input) => input.channel === i)));
     }
     gl.viewport(0, 0, ...size);
     if (pass.type === 'image') {

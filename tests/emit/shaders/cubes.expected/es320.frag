@@ -50,19 +50,19 @@ return (shadertwin_result = (at)) ;
 }
 uvec4 mixed ( precise uvec4 sum , precise vec4 color ) { precise bool shadertwin_test; precise uvec4 shadertwin_result; return (shadertwin_result = (( sum ^ floatBitsToUint ( color ) ) * 0x9e3779b1u)) ; }
 
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; precise vec4 shadertwin_argument_0; precise vec4 shadertwin_argument_1; precise vec4 shadertwin_argument_2; precise vec4 shadertwin_argument_3; color = vec4 ( 0 ) ;
 precise uint pixel = uint ( shadertwin_safe_uint ( p . x ) ) + 64u * uint ( shadertwin_safe_uint ( p . y ) ) ;
 precise uvec4 sum = uvec4 ( 0u ) ;
 precise vec3 d = vec3 ( 1.0 ) ;
 for ( precise uint i = 0u ; (shadertwin_test = (i < 48u)) ; i ++ ) {
 precise uint n = 48u * pixel + i ;
 d = direction ( n ) ;
-sum = mixed ( sum , textureLod ( iChannel0 , d , 0.0 ) ) ;
-sum = mixed ( sum , textureLod ( iChannel0 , d , 4.0 + 5.0 * d . y * d . z ) ) ;
+sum = mixed ( sum , (shadertwin_argument_0 = (textureLod ( iChannel0 , d , 0.0 ))) ) ;
+sum = mixed ( sum , (shadertwin_argument_1 = (textureLod ( iChannel0 , d , 4.0 + 5.0 * d . y * d . z ))) ) ;
 if ( (shadertwin_test = (hash ( n ) % 29u == 0u)) ) break ;
 }
-sum = mixed ( sum , texture ( iChannel0 , d ) ) ;
-sum = mixed ( sum , textureGrad ( iChannel0 , d , dFdx ( d . zxy ) * 0.1 , dFdy ( d ) ) ) ;
+sum = mixed ( sum , (shadertwin_argument_2 = (texture ( iChannel0 , d ))) ) ;
+sum = mixed ( sum , (shadertwin_argument_3 = (textureGrad ( iChannel0 , d , dFdx ( d . zxy ) * 0.1 , dFdy ( d ) ))) ) ;
 color = vec4 ( sum >> 8 ) * ( 1.0 / 16777216.0 ) ;
 }
 void main ( ) { precise bool shadertwin_test; precise vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

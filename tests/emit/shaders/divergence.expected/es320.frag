@@ -79,11 +79,11 @@ bag . turn [ shadertwin_at ( j , 1 ) ] [ shadertwin_at ( ( i & 1 ) , 1 ) ] -= 0.
 if ( (shadertwin_test = (i == 1)) ) { bag . items [ shadertwin_at ( j , 2 ) ] . at . yx = vec2 ( float ( j ) , grid [ shadertwin_at ( ( i + 4 * j ) , 5 ) ] ) ; return ; }
 bag . turn [ shadertwin_at ( ( i & 1 ) , 1 ) ] . xy *= 2.0 ;
 }
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; precise vec2 shadertwin_argument_0; color = vec4 ( 0 ) ;
 precise ivec2 q = ivec2 ( shadertwin_safe_int ( p ) ) ;
 precise int n = q . x * 3 + q . y ;
 precise int a = early ( n ) , b = route ( shadertwin_safe_modulo ( n , 13 ) ) , r = shadertwin_safe_modulo ( n , 4 ) , c = 0 ;
-precise float w = walk ( p * 0.5 , r ) ;
+precise float w = walk ( (shadertwin_argument_0 = (p * 0.5)) , r ) ;
 precise Bag bag = Bag ( Item [ 3 ] ( first [ 0 ] , first [ 1 ] , first [ shadertwin_at ( ( n & 1 ) , 1 ) ] ) , mat2 ( 1 , 0 , 0 , 1 ) ) ;
 put ( bag , shadertwin_safe_modulo ( n , 3 ) , shadertwin_safe_modulo ( ( n / 2 ) , 2 ) ) ;
 if ( (shadertwin_test = (shadertwin_safe_modulo ( n , 7 ) > 2 && count ( c ) || shadertwin_safe_modulo ( n , 5 ) == 1 && ! count ( c ))) ) c += 10 ; else if ( (shadertwin_test = (shadertwin_safe_modulo ( n , 2 ) == 0)) ) c -= 5 ;

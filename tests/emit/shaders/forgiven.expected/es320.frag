@@ -44,10 +44,10 @@ case 1 : break ; ;
 return (shadertwin_result = (shadertwin_step)) ;
 }
 void mainImage ( precise out vec4 c , precise vec2 p )
-{ precise bool shadertwin_test; c = vec4 ( 0 ) ;
+{ precise bool shadertwin_test; precise vec3 shadertwin_argument_0; c = vec4 ( 0 ) ;
 precise Segment s = Segment ( 2.0 , p ) ;
 s . shadertwin_length *= 1.0 + - 1.0 + shadertwin_step ;
 c = vec4 ( shadertwin_mix ( p , s . way , vec3 ( 1 , 2 , 3 ) ) , shadertwin_mix ( 1.0 , 2.0 , 0.5 ) * shadertwin_packed , choose ( int ( shadertwin_safe_int ( p . x ) ) ) + s . shadertwin_length ) ;
-c . xyz += shadertwin_fma ( turned [ 1 ] , vec3 ( p , 1 ) , vec3 ( 0 ) ) ;
+c . xyz += shadertwin_fma ( turned [ 1 ] , (shadertwin_argument_0 = (vec3 ( p , 1 ))) , vec3 ( 0 ) ) ;
 }
 void main ( ) { precise bool shadertwin_test; precise vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

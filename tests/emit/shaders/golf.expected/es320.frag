@@ -1,7 +1,7 @@
 #version 320 es
 precision highp float; precision highp int;
 precision highp sampler2D; precision highp samplerCube; precision highp sampler3D;
-int shadertwin_safe_int ( precise float x ) { precise bool shadertwin_test; precise int shadertwin_result; precise int r = int ( x ) ; return (shadertwin_result = (x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r)) ; } int shadertwin_at ( precise int i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (clamp ( i , 0 , last ))) ; } int shadertwin_at ( precise uint i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (int ( min ( i , uint ( last ) ) ))) ; }
+uniform uint shadertwin_zero ; int shadertwin_safe_int ( precise float x ) { precise bool shadertwin_test; precise int shadertwin_result; precise int r = int ( x ) ; return (shadertwin_result = (x >= 2147483648.0 ? 2147483647 : x != x ? 0 : r)) ; } int shadertwin_at ( precise int i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (clamp ( i , 0 , last ))) ; } int shadertwin_at ( precise uint i , precise int last ) { precise bool shadertwin_test; precise int shadertwin_result; return (shadertwin_result = (int ( min ( i , uint ( last ) ) ))) ; }
 layout(location = 0) out vec4 shadertoy_out_color;
 uniform vec3 iResolution ;
 uniform float iTime ;
@@ -35,9 +35,9 @@ float next ( ) { precise bool shadertwin_test; precise float shadertwin_result; 
 vec4 steps ( precise vec2 u ) { precise bool shadertwin_test; precise vec4 shadertwin_result;
 precise vec4 O = vec4 ( 0 ) ;
 precise float i = 0.0 , z = 0.0 , d = 0.0 ;
-for ( O *= i ; (shadertwin_test = (i ++ < 9.)) ; O += ( cos ( z * .4 + vec4 ( 6 , 1 , 2 , 3 ) ) + 1. ) / ( .1 + d ) )
-z += d = .05 + .1 * abs ( length ( u * .1 * mat2 ( cos ( i + vec4 ( 0 , 33 , 11 , 0 ) ) ) ) - z ) ;
-return (shadertwin_result = (tanh ( O / 2e1 ))) ;
+for ( O *= i ; (shadertwin_test = (i ++ < 9.)) ; O += ( cos ( uintBitsToFloat ( floatBitsToUint ( z * .4 + vec4 ( 6 , 1 , 2 , 3 ) ) ^ shadertwin_zero ) ) + 1. ) / ( .1 + d ) )
+z += d = .05 + .1 * abs ( length ( u * .1 * mat2 ( cos ( uintBitsToFloat ( floatBitsToUint ( i + vec4 ( 0 , 33 , 11 , 0 ) ) ^ shadertwin_zero ) ) ) ) - z ) ;
+return (shadertwin_result = (tanh ( uintBitsToFloat ( floatBitsToUint ( O / 2e1 ) ^ shadertwin_zero ) ))) ;
 }
 
 vec4 folds ( precise vec2 u ) { precise bool shadertwin_test; precise vec4 shadertwin_result;

@@ -25,7 +25,7 @@ uniform sampler2D iChannel8 ;
 uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; precise vec2 shadertwin_argument_0; color = vec4 ( 0 ) ;
 precise int x = int ( shadertwin_safe_int ( p . x ) ) - 8 , y = int ( shadertwin_safe_int ( p . y ) ) ;
 precise uint u = uint ( int ( shadertwin_safe_int ( p . x ) ) ) * 2654435769u + uint ( y ) * 0x9E3779B9u ;
 u ^= u >> 16 ; u *= 0x85ebca6bu ; u ^= u >> 13 ; u += 1U << 31 ;
@@ -41,7 +41,7 @@ q <<= 2u ;
 q . yx ^= q ; q . yx |= 1u ; q . yx &= q * 3u ; q . yx <<= 1u ; q . yx >>= uvec2 ( 1u , 2u ) ; shadertwin_safe_modulo_to ( v . zx , 11 ) ; v . xz /= 2 ;
 x <<= 1 ; x >>= 2 ; x ++ ; -- x ;
 precise bool odd = ( y & 1 ) == 1 ^^ x > 0 ;
-precise ivec2 rounded = ivec2 ( shadertwin_safe_int ( vec2 ( p . x - 8.0 , p . y ) * 1.75 ) ) ;
+precise ivec2 rounded = ivec2 ( shadertwin_safe_int ( (shadertwin_argument_0 = (vec2 ( p . x - 8.0 , p . y ) * 1.75)) ) ) ;
 color = vec4 ( float ( u >> 8 ) , float ( wrapped / 1000 ) , float ( product ) , float ( v . x + v . y * 16 + v . z * 256 ) ) ;
 if ( (shadertwin_test = (mod ( p . x , 2.0 ) > 1.0)) )
 color = vec4 ( float ( d . x - d . y ) , float ( m ) , float ( q . x ^ q . y ) , float ( rounded . x * 10 + rounded . y ) + ( odd ? 0.5 : 0.0 ) ) ;

@@ -26,11 +26,11 @@ uniform sampler2D iChannel9 ;
 uniform sampler2D iKeyboard ;
 
 mat3 rotation ( precise float a ) { precise bool shadertwin_test; precise mat3 shadertwin_result; precise float c = 0.5 + a , s = 0.25 ; return (shadertwin_result = (mat3 ( c , - s , 0.0 , s , c , 0.0 , 0.0 , 0.0 , 1.0 ))) ; }
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; precise float shadertwin_argument_0; color = vec4 ( 0 ) ;
 precise mat2 m = mat2 ( 1.0 , 2.0 , p . x , p . y ) ;
 m *= 2.0 ; m += 1.0 ; m [ 1 ] -= vec2 ( 0.5 ) ; m [ 0 ] [ 1 ] = 4.0 ; m -= mat2 ( 1.0 ) ;
 precise vec2 v = p ; v *= m ; v = m * v ;
-precise mat3 r = rotation ( p . x / 8.0 ) ;
+precise mat3 r = rotation ( (shadertwin_argument_0 = (p . x / 8.0)) ) ;
 precise mat3 rr = r * r ; rr *= r ;
 precise vec3 w = vec3 ( p , 1.0 ) ; w *= r ; w . xy *= m ;
 precise mat2x3 n = mat2x3 ( p . x , 1.0 , 2.0 , p . y , 3.0 , 4.0 ) ;

@@ -39,7 +39,7 @@ float f ( precise float v [ 2 ] ) { precise bool shadertwin_test; precise float 
 bool f ( precise bool b ) { precise bool shadertwin_test; precise bool shadertwin_result; return (shadertwin_result = (! b)) ; }
 void nothing ( ) { precise bool shadertwin_test; }
 vec4 zero ( ) { precise bool shadertwin_test; precise vec4 shadertwin_result; nothing ( ) ; return (shadertwin_result = (vec4 ( 0 ))) ; }
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
-color = zero ( ) + vec4 ( f ( p . x ) + f ( int ( shadertwin_safe_int ( p . x ) ) ) , f ( p , 2.0 ) , f ( uint ( shadertwin_safe_uint ( p . y ) ) ) + f ( mat2 ( p . x ) ) , g ( p . y , 3 ) + f ( float [ 2 ] ( p . x , p . y ) ) + ( f ( p . x > 3.0 ) ? 1.0 : 0.0 ) ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; precise mat2x2 shadertwin_argument_0; precise float shadertwin_argument_1[2]; precise bool shadertwin_argument_2; color = vec4 ( 0 ) ;
+color = zero ( ) + vec4 ( f ( p . x ) + f ( int ( shadertwin_safe_int ( p . x ) ) ) , f ( p , 2.0 ) , f ( uint ( shadertwin_safe_uint ( p . y ) ) ) + f ( (shadertwin_argument_0 = (mat2 ( p . x ))) ) , g ( p . y , 3 ) + f ( (shadertwin_argument_1 = (float [ 2 ] ( p . x , p . y ))) ) + ( f ( (shadertwin_argument_2 = (p . x > 3.0)) ) ? 1.0 : 0.0 ) ) ;
 }
 void main ( ) { precise bool shadertwin_test; precise vec4 shadertoy_color = vec4 ( 0.0 ) ; mainImage ( shadertoy_color , gl_FragCoord . xy ) ; shadertoy_out_color = shadertoy_color ; }

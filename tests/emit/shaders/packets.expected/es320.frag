@@ -36,10 +36,10 @@ float touch ( precise int i ) { precise bool shadertwin_test; precise float shad
 float gone ( precise float x ) { precise bool shadertwin_test; precise float shadertwin_result; if ( (shadertwin_test = (x > 14.0)) ) discard ; return (shadertwin_result = (1.0)) ; }
 precise int total = 0 ;
 int grow ( ) { precise bool shadertwin_test; precise int shadertwin_result; total += 3 ; return (shadertwin_result = (total)) ; }
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; precise float shadertwin_argument_0; color = vec4 ( 0 ) ;
 precise int k = int ( shadertwin_safe_int ( p . x ) ) & 1 ;
 precise float n = 0.0 , d = 0.0 ;
-for ( precise int i = 0 ; (shadertwin_test = (i ++ < 10 && ( d = map ( p . x + float ( i ) ) ) > 0.5)) ; ) n += 1.0 ;
+for ( precise int i = 0 ; (shadertwin_test = (i ++ < 10 && ( d = map ( (shadertwin_argument_0 = (p . x + float ( i ))) ) ) > 0.5)) ; ) n += 1.0 ;
 precise int m = 0 ;
 precise bool b = ( m ++ < 2 ) || ( m += 4 ) > 0 ;
 precise vec2 e [ 2 ] = vec2 [ 2 ] ( vec2 ( 0 ) , vec2 ( 0 ) ) ;

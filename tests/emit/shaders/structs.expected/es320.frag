@@ -27,13 +27,13 @@ uniform sampler2D iKeyboard ;
 
 struct Inner { vec2 a ; float b [ 2 ] ; } ;
 struct Outer { Inner inner ; mat2 m ; int n ; bool flag ; } ;
-Outer make_outer ( precise float x ) { precise bool shadertwin_test; precise Outer shadertwin_result; return (shadertwin_result = (Outer ( Inner ( vec2 ( x , 2.0 * x ) , float [ 2 ] ( x * 5.0 , x * 3.0 ) ) , mat2 ( x , 0.0 , 0.0 , x ) , int ( shadertwin_safe_int ( x * 10.0 ) ) , x > 0.5 ))) ; }
+Outer make_outer ( precise float x ) { precise bool shadertwin_test; precise Outer shadertwin_result; precise float shadertwin_argument_0; return (shadertwin_result = (Outer ( Inner ( vec2 ( x , 2.0 * x ) , float [ 2 ] ( x * 5.0 , x * 3.0 ) ) , mat2 ( x , 0.0 , 0.0 , x ) , int ( shadertwin_safe_int ( (shadertwin_argument_0 = (x * 10.0)) ) ) , x > 0.5 ))) ; }
 void change ( precise inout Outer o , precise Inner from ) { precise bool shadertwin_test; o . inner = from ; o . inner . b [ 1 ] += 1.0 ; o . n ++ ; }
 Inner swapped ( precise Inner i ) { precise bool shadertwin_test; precise Inner shadertwin_result; i . a = i . a . yx ; precise float t = i . b [ 0 ] ; i . b [ 0 ] = i . b [ 1 ] ; i . b [ 1 ] = t ; return (shadertwin_result = (i)) ; }
 struct Padded { uint a ; mat4 m ; float b [ 4 ] ; bvec4 c ; } ;
 precise Padded padded = Padded ( 31u , mat4 ( 10 , - 1.5 , 7.5 , 1 , - 1.5 , 0.5 , 10 , 7.5 , 1 , 1 , 1 , 2 , - 1.5 , 2 , - 1.5 , 1 ) , float [ ] ( 2.0 , 1.0 , 3.0 , 2.0 ) , bvec4 ( true ) ) ;
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
-precise Outer o = make_outer ( p . x / iResolution . x ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; precise float shadertwin_argument_1; color = vec4 ( 0 ) ;
+precise Outer o = make_outer ( (shadertwin_argument_1 = (p . x / iResolution . x)) ) ;
 precise Outer copy = o ;
 change ( copy , swapped ( o . inner ) ) ;
 precise Outer list [ 3 ] = Outer [ 3 ] ( Outer ( Inner ( vec2 ( 0 ) , float [ 2 ] ( 0.0 , 0.0 ) ) , mat2 ( 0 ) , 0 , false ) , Outer ( Inner ( vec2 ( 0 ) , float [ 2 ] ( 0.0 , 0.0 ) ) , mat2 ( 0 ) , 0 , false ) , Outer ( Inner ( vec2 ( 0 ) , float [ 2 ] ( 0.0 , 0.0 ) ) , mat2 ( 0 ) , 0 , false ) ) ;

@@ -28,9 +28,9 @@ uniform sampler2D iKeyboard ;
 precise int calls = 0 ;
 bool tick ( precise bool b ) { precise bool shadertwin_test; precise bool shadertwin_result; calls ++ ; return (shadertwin_result = (b)) ; }
 float bump ( precise inout float x ) { precise bool shadertwin_test; precise float shadertwin_result; x += 1.0 ; return (shadertwin_result = (x)) ; }
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; precise bool shadertwin_argument_0; precise bool shadertwin_argument_1; precise bool shadertwin_argument_2; precise bool shadertwin_argument_3; color = vec4 ( 0 ) ;
 precise float x = p . x , y = p . y , z = 0.0 ;
-precise bool a = tick ( x > 3.0 ) && tick ( y > 3.0 ) , b = tick ( x > 5.0 ) || tick ( y > 5.0 ) , c = tick ( a ) ^^ tick ( b ) ;
+precise bool a = tick ( (shadertwin_argument_0 = (x > 3.0)) ) && tick ( (shadertwin_argument_1 = (y > 3.0)) ) , b = tick ( (shadertwin_argument_2 = (x > 5.0)) ) || tick ( (shadertwin_argument_3 = (y > 5.0)) ) , c = tick ( a ) ^^ tick ( b ) ;
 precise float r = x > y ? bump ( x ) : bump ( y ) ;
 z = x > 4.0 ? y > 2.0 ? 1.0 : 2.0 : 3.0 ;
 precise float w = ( x = y + 1.0 ) * 2.0 ;

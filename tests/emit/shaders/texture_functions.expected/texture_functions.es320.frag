@@ -29,13 +29,13 @@ uniform sampler2D iKeyboard ;
 
 
 
-vec4 look ( sampler2D s , precise vec2 uv ) { precise bool shadertwin_test; precise vec4 shadertwin_result; return (shadertwin_result = (texture ( s , uv ) + texelFetch ( s , ivec2 ( shadertwin_safe_int ( uv * 3.0 ) ) , 0 ))) ; }
+vec4 look ( sampler2D s , precise vec2 uv ) { precise bool shadertwin_test; precise vec4 shadertwin_result; precise vec2 shadertwin_argument_0; return (shadertwin_result = (texture ( s , uv ) + texelFetch ( s , ivec2 ( shadertwin_safe_int ( (shadertwin_argument_0 = (uv * 3.0)) ) ) , 0 ))) ; }
 float size ( in sampler2D s , precise int i ) { precise bool shadertwin_test; precise float shadertwin_result; return (shadertwin_result = (float ( textureSize ( s , 0 ) [ shadertwin_at ( i , 1 ) ] ))) ; }
-void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; color = vec4 ( 0 ) ;
+void mainImage ( precise out vec4 color , precise in vec2 p ) { precise bool shadertwin_test; precise vec2 shadertwin_argument_1; color = vec4 ( 0 ) ;
 precise vec2 uv = p / iResolution . xy ;
 precise int k = shadertwin_safe_modulo ( int ( shadertwin_safe_int ( p . y ) ) , 8 ) ;
 color = vec4 ( size ( iChannel0 , 0 ) , size ( iChannel0 , 1 ) , iChannelResolution [ 0 ] . xy ) ;
-if ( (shadertwin_test = (k == 0)) ) color = look ( iChannel0 , uv * 2.0 + 0.01 ) ;
+if ( (shadertwin_test = (k == 0)) ) color = look ( iChannel0 , (shadertwin_argument_1 = (uv * 2.0 + 0.01)) ) ;
 if ( (shadertwin_test = (k == 1)) ) color = textureLod ( iChannel0 , - uv , 0.0 ) ;
 if ( (shadertwin_test = (k == 2)) ) color = textureGrad ( iChannel0 , uv . yx , vec2 ( 0.01 ) , vec2 ( 0.0 ) ) ;
 if ( (shadertwin_test = (k == 3)) ) color = textureOffset ( iChannel0 , uv , ivec2 ( 1 , - 2 ) ) + texelFetchOffset ( iChannel0 , ivec2 ( shadertwin_safe_int ( p ) ) , 0 , ivec2 ( - 1 , 1 ) ) ;

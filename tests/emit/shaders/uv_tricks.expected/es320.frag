@@ -29,10 +29,10 @@ uniform sampler2D iKeyboard ;
 
 mat2 r ( precise float a ) { precise bool shadertwin_test; precise mat2 shadertwin_result; return (shadertwin_result = (mat2 ( 0.8 , - 0.6 , 0.6 , 0.8 ) * a)) ; }
 void mainImage ( precise out vec4 O , precise vec2 U )
-{ precise bool shadertwin_test; O = vec4 ( 0 ) ;
+{ precise bool shadertwin_test; precise float shadertwin_argument_0; O = vec4 ( 0 ) ;
 precise vec2 u = ( U + U - iResolution . xy ) / iResolution . y , v = u * 0. ;
 O *= 0. ; precise float i = 0. , d = 1. , z = 0. ; precise vec3 q = vec3 ( 0 ) , p = vec3 ( 0 ) ;
-for ( O = vec4 ( 0 ) ; (shadertwin_test = (i ++ < 9.)) ; O += shadertwin_safe_over ( .1 , max ( d , .01 ) ) ) p = z * normalize ( vec3 ( u , 1 ) ) , p . z -= 2. , z += d = abs ( length ( p ) - 1. ) * .5 + .01 , q = p ;
+for ( O = vec4 ( 0 ) ; (shadertwin_test = (i ++ < 9.)) ; O += shadertwin_safe_over ( .1 , (shadertwin_argument_0 = (max ( d , .01 ))) ) ) p = z * normalize ( vec3 ( u , 1 ) ) , p . z -= 2. , z += d = abs ( length ( p ) - 1. ) * .5 + .01 , q = p ;
 for ( precise int k = 0 ; (shadertwin_test = (k < 3)) ; k ++ , u *= r ( 1.1 ) , v += u ) ;
 precise int n = 7 ; n = ( n & 1 ) == 1 ? n * 3 + 1 : n / 2 , n -= 2 ;
 O . rg += v *= 0.25 ; ( O . b ) = float ( n ) + smoothstep ( 0.1 , 0.9 , u . x > 0. ? u . x : - u . x ) ;
