@@ -11,7 +11,7 @@
 #include "reference/twin/twin_device.h"
 #include "tests/scratch_folder.h"
 
-namespace shadertwin {
+namespace shadertwin::player_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -221,4 +221,4 @@ TEST_F(Player, RefusedShaderNamesTheUsersLine) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::player_test
