@@ -8,6 +8,10 @@
 
 namespace shadertwin {
 
+inline void write_text(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -28,7 +32,7 @@ class ScratchFolder {
   std::filesystem::path write(const std::string& name, const std::string& text) const {
     const std::filesystem::path file = path_ / name;
     std::filesystem::create_directories(file.parent_path());
-    std::ofstream(file, std::ios::binary) << text;
+    write_text(file, text);
     return file;
   }
   bool is_empty() const { return std::filesystem::is_empty(path_); }

@@ -16,7 +16,7 @@ using enum Command;
 using enum NoEffect;
 using Commands = std::initializer_list<Command>;
 
-constexpr Commands all = {view, render, compare, sweep, check, accuracy, export_, debug};
+constexpr Commands all_commands = {view, render, compare, sweep, check, accuracy, export_, debug};
 // `sweep` has some as axes of its own.
 constexpr Commands all_with_one_value = {view, render, compare, check, accuracy, export_, debug};
 constexpr Commands those_with_one_size = {view, render, compare, check, accuracy, debug};
@@ -45,7 +45,7 @@ void add_options(CommandLine app, Command command, PlayOptions& o) {
       declared->changes_pixels = true;
   };
 
-  declare(all, {}, [&] {
+  declare(all_commands, {}, [&] {
     return app
         .add_option(
             "SHADER", o.shader,
@@ -65,30 +65,30 @@ void add_options(CommandLine app, Command command, PlayOptions& o) {
     return add_word(app, "--seed", add, "the same as -D SEED=N: another stream of random numbers")
         .type_name("UINT");
   });
-  declare_for_pixels(all, {on_sound, on_site_export}, [&] {
+  declare_for_pixels(all_commands, {on_sound, on_site_export}, [&] {
     return app.add_flag(
         "--vr", settings.vr,
         "draw mainVR() instead of mainImage(): the left eye's picture beside the right eye's, each 90 "
         "degrees high, the eyes 64 mm apart at the origin, looking along -z");
   });
-  declare_for_pixels(all, {on_files}, [&] {
+  declare_for_pixels(all_commands, {on_files}, [&] {
     return add_word(
         app, "--media", [&o](const std::string& word) { o.load.media = word; },
         "the folder that holds the pictures a Shadertoy JSON names");
   });
-  declare_for_pixels(all, {}, [&] {
+  declare_for_pixels(all_commands, {}, [&] {
     return add_choice<std::optional<Dialect>, Dialect>(
         app, "--dialect", o.load.dialect, {{"shadertoy", Dialect::shadertoy}, {"vscode", Dialect::vscode}},
         "whose rules hold: shadertoy or vscode (by default a file's are vscode's, a folder's and a "
         "JSON's shadertoy.com's)");
   });
-  declare_for_pixels(all, {on_sound, on_site_export, on_cpp_export}, [&] {
+  declare_for_pixels(all_commands, {on_sound, on_site_export, on_cpp_export}, [&] {
     return app.add_flag(
         "--mute", settings.muted,
         "nothing is heard; music and the microphone give the signal that shadertoy.com shows where "
         "sound is muted");
   });
-  declare_for_pixels(all, {on_site_rules, on_site_export, on_cpp_export}, [&] {
+  declare_for_pixels(all_commands, {on_site_rules, on_site_export, on_cpp_export}, [&] {
     return app.add_flag(
         "--vscode-quirks", settings.vscode_quirks,
         "with the rules of vscode: also what only the extension does. iMouse starts at -1 and its w is "
@@ -96,7 +96,8 @@ void add_options(CommandLine app, Command command, PlayOptions& o) {
         "alpha 0; all passes are drawn once before frame 0; a pass reads of a later one that reads itself "
         "what it drew two frames ago; iChannelResolution of passes stays what it was at the start");
   });
-  declare(all, {}, [&] { return app.add_flag("--quiet", o.quiet, "no warnings and no progress bar"); });
+  declare(all_commands, {},
+          [&] { return app.add_flag("--quiet", o.quiet, "no warnings and no progress bar"); });
   declare_for_pixels({view, render, compare, export_, debug}, {on_site_export}, [&] {
     return add_choice<Undefined, Undefined>(
         app, "--init", settings.undefined, {{"zero", Undefined::zero}, {"raw", Undefined::raw}},

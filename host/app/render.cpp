@@ -84,7 +84,7 @@ double milliseconds(Clock::duration time) {
   return std::chrono::duration<double, std::milli>(time).count();
 }
 
-void render(const RenderOptions& options) {
+void render_frames(const RenderOptions& options) {
   if (output_kind(options.output.name) == OutputKind::sound)
     return render_sound(options, options.duration.value_or(sound_seconds), options.output.name);
   const Schedule& schedule = options.schedule;
@@ -202,7 +202,7 @@ void add_render(CommandLine app) {
     if (!command.given("--fps") && media::is_video(options->output.name))
       options->schedule.fps = std::min(options->schedule.fps, media::highest_rate(options->output.name));
     if (options->duration.has_value()) options->frames = frames_of(*options->duration, options->schedule.fps);
-    render(*options);
+    render_frames(*options);
   });
 }
 

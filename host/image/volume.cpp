@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t header_bytes = 20;
-constexpr std::uint32_t max_extent = 2048;
+constexpr std::uint32_t max_volume_extent = 2048;
 constexpr std::array<unsigned char, 4> signature = {'B', 'I', 'N', 0};
 
 [[noreturn]] void fail(const fs::path& file, const std::string& reason) {
@@ -66,8 +66,9 @@ Texture read_volume(const fs::path& file) {
     texels *= extent;
   }
   for (const std::uint32_t extent : header.size)
-    if (extent < 1 || extent > max_extent)
-      fail(file, "the volume is " + shape + "; 1 to " + std::to_string(max_extent) + " is possible each way");
+    if (extent < 1 || extent > max_volume_extent)
+      fail(file, "the volume is " + shape + "; 1 to " + std::to_string(max_volume_extent) +
+                     " is possible each way");
   if (header.channels < 1 || header.channels > 4)
     fail(file, "the volume has " + std::to_string(header.channels) + " channels, not 1 to 4");
   if (header.format != 0 && header.format != 10)

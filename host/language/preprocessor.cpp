@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "host/language/characters.h"
 #include "host/language/directive_parser.h"
 #include "host/language/macro_expander.h"
 #include "host/language/source_reader.h"
@@ -13,13 +14,6 @@ namespace {
 using Kind = PreprocessingToken::Kind;
 
 constexpr std::size_t made_limit = 1'000'000;  // tokens in the result that macros made
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool in_word(char c) {
-  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
 
 // Whether a compiler would read two tokens as others if they touched.
 bool would_join(std::string_view before, std::string_view after) {

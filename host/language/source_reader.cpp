@@ -4,6 +4,8 @@
 #include <iterator>
 #include <limits>
 
+#include "host/language/characters.h"
+
 namespace shadertwin {
 
 namespace {
@@ -13,9 +15,6 @@ using Kind = PreprocessingToken::Kind;
 constexpr int largest_number = std::numeric_limits<int>::max();
 constexpr TokenizeOptions glsl = {.strings = false, .line_ends = true};
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 bool is_hexadecimal(char c) {
   return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }

@@ -3,19 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "host/language/characters.h"
+
 namespace shadertwin {
 
 namespace {
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool starts_word(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool in_word(char c) {
-  return starts_word(c) || is_digit(c);
-}
 
 // Longest first.
 constexpr std::array<std::string_view, 22> long_operators = {

@@ -13,7 +13,8 @@ namespace shadertwin {
 
 namespace {
 
-const std::set<std::string_view> qualifiers = {"const", "in", "out", "inout", "lowp", "mediump", "highp"};
+const std::set<std::string_view> parameter_qualifiers = {"const", "in",      "out",  "inout",
+                                                         "lowp",  "mediump", "highp"};
 
 bool is_precision(const Token& token) {
   return token.is("lowp") || token.is("mediump") || token.is("highp");
@@ -164,7 +165,7 @@ class Rewriter {
     bool wanted = true;
     for (std::size_t i = open + 1; i < tokens_.size() && !tokens_[i].is(")"); ++i) {
       if (tokens_[i].is(",")) wanted = true;
-      if (!wanted || !is_word(i) || qualifiers.contains(tokens_[i].text)) continue;
+      if (!wanted || !is_word(i) || parameter_qualifiers.contains(tokens_[i].text)) continue;
       types += std::string(tokens_[i].text) + ",";
       wanted = false;
     }
@@ -248,7 +249,7 @@ class Rewriter {
   }
 
   void name_parameter(std::size_t begin, std::size_t end) {
-    while (begin < end && qualifiers.contains(tokens_[begin].text)) ++begin;
+    while (begin < end && parameter_qualifiers.contains(tokens_[begin].text)) ++begin;
     if (begin >= end || !is_word(begin)) return;
     const bool unnamed = begin + 1 == end || (tokens_[begin + 1].is("[") && tokens_[end - 1].is("]"));
     if (unnamed && !tokens_[begin].is("void"))

@@ -17,7 +17,7 @@ namespace {
 
 // What shadertoy.com puts in front of Common where it compiles it by itself: nothing that a pass has, but for
 // these two uniforms.
-constexpr const char* head =
+constexpr const char* common_head =
     "uniform vec4 iDate;\n"
     "uniform float iSampleRate;\n"
     "out vec4 outColor;\n";
@@ -105,7 +105,7 @@ std::optional<Pass> common_alone(const Project& project) {
   const Pass& pass = project.passes.back();
   Pass common;
   common.name = "Common";
-  common.source.head = head;
+  common.source.head = common_head;
   common.source.own_output = true;
   common.source.tail = "\nvoid main() { }\n";
   const std::size_t count = pass.source.lines.size() - own_lines(pass);

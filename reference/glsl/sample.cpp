@@ -68,7 +68,7 @@ Levels choose_levels(const TextureView& view, const SamplerState& state, const L
 
 // --- One level --------------------------------------------------------------
 
-struct Sampler {
+struct LevelSampler {
   const TextureView& view;
   SamplerState::Wrap wrap;
   const float* p;     // coordinates; of a cube those on `face`
@@ -85,7 +85,7 @@ struct Sampler {
 };
 
 template <Shape shape>
-std::array<int, 3> nearest(const Sampler& s, const TextureLevel& level, bool whole_offset) {
+std::array<int, 3> nearest(const LevelSampler& s, const TextureLevel& level, bool whole_offset) {
   const int x =
       filtering::nearest_texel(s.p[0], level.width, s.offset[0], s.wrap, s.power_of_two(0), whole_offset);
   const int y =
@@ -97,7 +97,7 @@ std::array<int, 3> nearest(const Sampler& s, const TextureLevel& level, bool who
 }
 
 template <Shape shape>
-Color color_of_level(const Sampler& s, int which, bool second, bool linear) {
+Color color_of_level(const LevelSampler& s, int which, bool second, bool linear) {
   const TextureLevel& level = s.view.level[which];
   if (!linear) {
     const auto [x, y, z] = nearest<shape>(s, level, false);
@@ -123,7 +123,7 @@ Color color_of_level(const Sampler& s, int which, bool second, bool linear) {
 }
 
 template <Shape shape>
-Bytes bytes_of_level(const Sampler& s, const TextureLevel& level, bool linear) {
+Bytes bytes_of_level(const LevelSampler& s, const TextureLevel& level, bool linear) {
   if (!linear || shape == Shape::cube) {
     const auto [x, y, z] = nearest<shape>(s, level, true);
     return filtering::bytes_at(level, x, y, z);
@@ -153,7 +153,7 @@ template <Shape shape>
 void sample(const TextureView& view, const SamplerState& state, const float* coordinates, const int* offset,
             const LodRequest& request, float* rgba) {
   const Levels levels = choose_levels(view, state, request);
-  Sampler sampler{view, state.wrap, coordinates, offset, 0, request.corners};
+  LevelSampler sampler{view, state.wrap, coordinates, offset, 0, request.corners};
   float on_face[2];
   if constexpr (shape == Shape::cube) {
     const filtering::CubePoint point = filtering::cube_point(coordinates);

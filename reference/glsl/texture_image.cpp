@@ -11,8 +11,9 @@ namespace shadertwin::glsl {
 
 namespace {
 
+using Mipmaps = SamplerState::Mipmaps;
+
 SamplerState state_of(const shadertwin::Sampler& sampler) {
-  using Mipmaps = SamplerState::Mipmaps;
   SamplerState state;
   state.mag_linear = sampler.mag == MagFilter::linear;
   switch (sampler.min) {

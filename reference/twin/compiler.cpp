@@ -201,6 +201,15 @@ void Compiler::prepare(const CompileOptions& options) const {
 
 void Compiler::compile(const std::string& source, const fs::path& object,
                        const CompileOptions& options) const {
+  std::error_code failed;
+  // What the cache's key names anew, an edited comment or an emitter's next version, often comes to the same
+  // C++. A damaged twin is there, and is compiled again.
+  const bool reuses = !options.debug && kept_folder() == nullptr;
+  const fs::path same_text = object_path(source, options).replace_extension("cpp-so");
+  if (reuses && !fs::exists(object, failed)) {
+    fs::create_hard_link(same_text, object, failed);
+    if (!failed) return;
+  }
   // Two processes may compile the same twin: each writes files of its own, and the last rename wins.
   const std::string own = object.stem().string() + '-' + std::to_string(getpid());
   const fs::path text = object.parent_path() / (own + ".cpp");
@@ -212,7 +221,6 @@ void Compiler::compile(const std::string& source, const fs::path& object,
     if (!out.flush()) throw Error(ExitStatus::file, text.string() + ": can't be written");
   }
   std::vector<std::string> list = arguments(options);
-  std::error_code failed;
   if (const fs::path headers = precompiled_header(options); fs::exists(headers.string() + ".gch", failed))
     list.insert(list.end(), {"-include", headers.string()});
   list.insert(list.end(), {"-o", result.string(), text.string()});
@@ -235,6 +243,10 @@ void Compiler::compile(const std::string& source, const fs::path& object,
   }
   fs::rename(result, object, failed);
   if (failed) throw Error(ExitStatus::file, object.string() + ": " + failed.message());
+  if (reuses) {
+    fs::remove(same_text, failed);
+    fs::create_hard_link(object, same_text, failed);
+  }
   if (kept_folder() != nullptr)
     fs::rename(text, object.parent_path() / (object.stem().string() + ".cpp"), failed);
   else

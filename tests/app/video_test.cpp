@@ -11,7 +11,7 @@
 namespace shadertwin {
 namespace {
 
-constexpr const char* noise =
+constexpr const char* grain =
     "void mainImage(out vec4 c, in vec2 p) {\n"
     "  c = fract(sin(dot(p, vec2(12.9898, 78.233)) + iTime) * vec4(43758.5, 22578.1, 19642.3, 1));\n}\n";
 
@@ -51,9 +51,9 @@ TEST_F(RenderVideo, DurationIsAnotherWayToSayHowManyFrames) {
 }
 
 TEST_F(RenderVideo, QualityChangesTheSize) {
-  folder.write("noise.glsl", noise);
-  ASSERT_EQ(run(folder, "render noise.glsl --size 64x64 --frames 3 --crf 45 -o a.mp4").err, "");
-  ASSERT_EQ(run(folder, "render noise.glsl --size 64x64 --frames 3 --crf 4 -o b.mp4").err, "");
+  folder.write("grain.glsl", grain);
+  ASSERT_EQ(run(folder, "render grain.glsl --size 64x64 --frames 3 --crf 45 -o a.mp4").err, "");
+  ASSERT_EQ(run(folder, "render grain.glsl --size 64x64 --frames 3 --crf 4 -o b.mp4").err, "");
   EXPECT_GT(std::filesystem::file_size(folder / "b.mp4"), 2 * std::filesystem::file_size(folder / "a.mp4"));
 }
 
@@ -113,7 +113,7 @@ TEST_F(RenderVideo, RefusalsAreOneLineAndLeaveNothing) {
   expect(2, "--size 32x16 --chroma 422 -o a.mp4", "--chroma");
   expect(4, "--size 32x16 -o nowhere/a.mp4", "nowhere");
   // A disk that fills up.
-  folder.write("clock.glsl", noise);
+  folder.write("clock.glsl", grain);
   for (const char* options : {"--crf 0 -o a.mp4", "--crf 0 -o a.webm", "-o a.gif"})
     expect(4, std::string("--size 128x128 --frames 3 ") + options, "can't be written",
            "trap '' XFSZ; ulimit -f 8;");

@@ -18,10 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_text(const fs::path& file, const std::string& text) {
-  std::ofstream(file) << text;
-}
-
 // Runs `work` in a process of its own until it has written `sign`, then interrupts it. True if the signal
 // ended it.
 bool interrupted(int signal, const fs::path& sign, const std::function<void()>& work) {

@@ -11,34 +11,34 @@
 namespace shadertwin {
 namespace {
 
-Image flat(float r, float g, float b, int side = 4) {
+Image plain(float r, float g, float b, int side = 4) {
   return flat_image(side, side, r, g, b);
 }
 
 TEST(PictureError, IsTheMeanOfSquaresAndOfThoseInUnitsOfTheReference) {
-  const PictureError error = picture_error(flat(1.0F, 2.0F, 0.0F), flat(1.0F, 1.0F, 0.5F));
+  const PictureError error = picture_error(plain(1.0F, 2.0F, 0.0F), plain(1.0F, 1.0F, 0.5F));
   EXPECT_EQ(error.values, 48U);
   EXPECT_NEAR(error.mse, (0.0 + 1.0 + 0.25) / 3.0, 1e-12);
   EXPECT_NEAR(error.relative_mse, (1.0 / 1.01 + 0.25 / 0.26) / 3.0, 1e-12);
 }
 
 TEST(PictureError, LooksAtNoAlpha) {
-  Image a = flat(0.5F, 0.5F, 0.5F);
+  Image a = plain(0.5F, 0.5F, 0.5F);
   a.rgba[3] = 100.0F;
-  EXPECT_EQ(picture_error(a, flat(0.5F, 0.5F, 0.5F)).mse, 0.0);
+  EXPECT_EQ(picture_error(a, plain(0.5F, 0.5F, 0.5F)).mse, 0.0);
 }
 
 TEST(PictureError, CountsWhatIsNoNumberAndLeavesItOut) {
-  Image a = flat(1.0F, 1.0F, 1.0F);
+  Image a = plain(1.0F, 1.0F, 1.0F);
   a.rgba[0] = std::numeric_limits<float>::quiet_NaN();
   a.rgba[5] = -std::numeric_limits<float>::infinity();
-  const PictureError error = picture_error(a, flat(0.0F, 0.0F, 0.0F));
+  const PictureError error = picture_error(a, plain(0.0F, 0.0F, 0.0F));
   EXPECT_EQ(error.nan, 1U);
   EXPECT_EQ(error.infinite, 1U);
   EXPECT_EQ(error.values, 46U);
   EXPECT_NEAR(error.mse, 1.0, 1e-12);
 
-  const PictureError nothing_left = picture_error(flat(NAN, NAN, NAN), flat(0.0F, 0.0F, 0.0F));
+  const PictureError nothing_left = picture_error(plain(NAN, NAN, NAN), plain(0.0F, 0.0F, 0.0F));
   EXPECT_EQ(nothing_left.values, 0U);
   EXPECT_EQ(nothing_left.mse, 0.0);
 }
@@ -47,11 +47,11 @@ TEST(ErrorParts, TellBiasFromNoise) {
   std::mt19937 random(7);
   std::normal_distribution<float> noise(0.0F, 0.2F);
   const auto noisy = [&](float mean, float share = 1.0F) {
-    Image image = flat(mean, mean, mean, 256);
+    Image image = plain(mean, mean, mean, 256);
     for (float& value : image.rgba) value += share * noise(random);
     return image;
   };
-  const Image reference = flat(1.0F, 1.0F, 1.0F, 256);
+  const Image reference = plain(1.0F, 1.0F, 1.0F, 256);
   constexpr double unit = 1.0 / 1.01;  // of a relative error where the reference is 1
   // 196,608 values: the standard error of each estimate is below 0.0002.
   const ErrorParts unbiased = error_parts(noisy(1.0F), noisy(1.0F), reference, reference);

@@ -4,7 +4,7 @@
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/shapes.h"
 
-namespace shadertwin {
+namespace shadertwin::distance_test {
 namespace {
 
 class Distance : public OnEveryBackend {};
@@ -110,4 +110,4 @@ TEST_P(Distance, GrazingRaysHitFlatShapesInTheirPlane) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::distance_test

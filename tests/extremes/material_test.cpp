@@ -7,7 +7,7 @@
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/scattering.h"
 
-namespace shadertwin {
+namespace shadertwin::material_test {
 namespace {
 
 class Materials : public OnEveryBackend {};
@@ -210,4 +210,4 @@ TEST_P(Materials, AbsorptionOnlyTakesLight) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::material_test

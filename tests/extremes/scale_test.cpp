@@ -5,7 +5,7 @@
 #include "host/compare/errors.h"
 #include "tests/shadertoy/bar.h"
 
-namespace shadertwin {
+namespace shadertwin::scale_test {
 namespace {
 
 class Scale : public OnEveryBackend {};
@@ -62,4 +62,4 @@ TEST_P(Scale, ScenesFarFromTheOriginLookTheSame) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::scale_test

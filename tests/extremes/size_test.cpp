@@ -6,7 +6,7 @@
 #include "reference/twin/twin_device.h"
 #include "tests/shadertoy/bar.h"
 
-namespace shadertwin {
+namespace shadertwin::size_test {
 namespace {
 
 class Size : public OnEveryBackend {};
@@ -68,4 +68,4 @@ TEST(Tiles, CornersOfEightKHaveTheirLight) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::size_test

@@ -4,7 +4,7 @@
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/shapes.h"
 
-namespace shadertwin {
+namespace shadertwin::surface_test {
 namespace {
 
 class Surfaces : public OnEveryBackend {};
@@ -114,4 +114,4 @@ TEST_P(Surfaces, OfQuadsAndTrianglesAreLeftAtEverySizeAndPlace) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::surface_test

@@ -4,7 +4,7 @@
 
 #include "tests/shadertoy/bar.h"
 
-namespace shadertwin {
+namespace shadertwin::time_test {
 namespace {
 
 class Time : public OnEveryBackend {};
@@ -116,4 +116,4 @@ TEST_P(Time, FramesBeyondTheLastCountChangeNothing) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::time_test

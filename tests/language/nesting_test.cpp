@@ -5,14 +5,10 @@
 
 #include <string>
 
+#include "tests/language/repeated.h"
+
 namespace shadertwin {
 namespace {
-
-std::string repeated(const std::string& text, int count) {
-  std::string all;
-  for (int i = 0; i < count; ++i) all += text;
-  return all;
-}
 
 std::optional<Diagnostic> judged(const std::string& code) {
   const PlainText plain = preprocess(code);

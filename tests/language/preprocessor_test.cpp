@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/language/repeated.h"
+
 namespace shadertwin {
 namespace {
 
@@ -23,12 +25,6 @@ std::string contents(const std::string& path) {
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
   for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
     text.replace(at, from.size(), to);
-}
-
-std::string repeated(std::string_view text, int count) {
-  std::string result;
-  for (int i = 0; i < count; ++i) result += text;
-  return result;
 }
 
 struct Case {

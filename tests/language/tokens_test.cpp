@@ -5,7 +5,7 @@
 namespace shadertwin {
 namespace {
 
-std::string joined(std::string_view text) {
+std::string words(std::string_view text) {
   std::string result;
   for (const Token& token : tokenize(text))
     result += (result.empty() ? "" : " ") + std::string(token.text) + "@" + std::to_string(token.line);
@@ -13,27 +13,27 @@ std::string joined(std::string_view text) {
 }
 
 TEST(Tokens, CommentsAreSkippedAndLinesCounted) {
-  EXPECT_EQ(joined("a // b\nc /* d\ne */ f"), "a@1 c@2 f@3");
-  EXPECT_EQ(joined("/*/ still a comment */ a"), "a@1");
-  EXPECT_EQ(joined("// continued \\\n a\nb"), "b@3");
+  EXPECT_EQ(words("a // b\nc /* d\ne */ f"), "a@1 c@2 f@3");
+  EXPECT_EQ(words("/*/ still a comment */ a"), "a@1");
+  EXPECT_EQ(words("// continued \\\n a\nb"), "b@3");
 }
 
 TEST(Tokens, ContinuedLinesKeepTheirPhysicalNumbers) {
-  EXPECT_EQ(joined("#define A \\\n 1\nB"), "#@1 define@1 A@1 1@2 B@3");
-  EXPECT_EQ(joined("#define A \\\r\n 1\r\nB"), "#@1 define@1 A@1 1@2 B@3");
+  EXPECT_EQ(words("#define A \\\n 1\nB"), "#@1 define@1 A@1 1@2 B@3");
+  EXPECT_EQ(words("#define A \\\r\n 1\r\nB"), "#@1 define@1 A@1 1@2 B@3");
 }
 
 TEST(Tokens, NumbersAreWhole) {
-  EXPECT_EQ(joined("1.5e-3f+.5 0x1F-1"), "1.5e-3f@1 +@1 .5@1 0x1F@1 -@1 1@1");
+  EXPECT_EQ(words("1.5e-3f+.5 0x1F-1"), "1.5e-3f@1 +@1 .5@1 0x1F@1 -@1 1@1");
 }
 
 TEST(Tokens, ASignBelongsToADecimalExponentOnly) {
-  EXPECT_EQ(joined("1.e+3 1e-3f 0x1e+3"), "1.e+3@1 1e-3f@1 0x1e@1 +@1 3@1");
-  EXPECT_EQ(joined("1e+ 1..2e+3 1e+3x"), "1e@1 +@1 1..2e@1 +@1 3@1 1e+3@1 x@1");
+  EXPECT_EQ(words("1.e+3 1e-3f 0x1e+3"), "1.e+3@1 1e-3f@1 0x1e@1 +@1 3@1");
+  EXPECT_EQ(words("1e+ 1..2e+3 1e+3x"), "1e@1 +@1 1..2e@1 +@1 3@1 1e+3@1 x@1");
 }
 
 TEST(Tokens, OperatorsAreWhole) {
-  EXPECT_EQ(joined("a<<=b>>c<=d++ +--e"), "a@1 <<=@1 b@1 >>@1 c@1 <=@1 d@1 ++@1 +@1 --@1 e@1");
+  EXPECT_EQ(words("a<<=b>>c<=d++ +--e"), "a@1 <<=@1 b@1 >>@1 c@1 <=@1 d@1 ++@1 +@1 --@1 e@1");
 }
 
 TEST(Tokens, SpaceBeforeATokenIsKnown) {

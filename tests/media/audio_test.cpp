@@ -13,7 +13,7 @@
 #include "tests/media/wav_file.h"
 #include "tests/scratch_folder.h"
 
-namespace shadertwin::media {
+namespace shadertwin::media::audio_test {
 namespace {
 
 constexpr int rate = 44100;
@@ -214,4 +214,4 @@ TEST(AudioWriter, LeavesNothingUnlessItIsFinished) {
 }
 
 }  // namespace
-}  // namespace shadertwin::media
+}  // namespace shadertwin::media::audio_test

@@ -18,7 +18,7 @@ Project two_buffers_and_a_picture(Dialect dialect) {
   return project;
 }
 
-Input reads(int pass) {
+Input of_pass(int pass) {
   Input input;
   input.kind = InputKind::pass;
   input.pass = pass;
@@ -27,11 +27,11 @@ Input reads(int pass) {
 
 TEST(PassesWithHistory, AreThoseThatReadThemselvesOrAreReadEarlier) {
   Project project = two_buffers_and_a_picture(Dialect::vscode);
-  project.passes[2].inputs[0] = reads(0);
+  project.passes[2].inputs[0] = of_pass(0);
   EXPECT_EQ(passes_with_history(project), (std::vector<bool>{false, false, false}));
-  project.passes[0].inputs[0] = reads(1);
+  project.passes[0].inputs[0] = of_pass(1);
   EXPECT_EQ(passes_with_history(project), (std::vector<bool>{false, true, false}));
-  project.passes[2].inputs[1] = reads(2);
+  project.passes[2].inputs[1] = of_pass(2);
   EXPECT_EQ(passes_with_history(project), (std::vector<bool>{false, true, true}));
 }
 
@@ -99,7 +99,7 @@ TEST(ChannelSize, IsWhatEachDialectReports) {
   picture.height = 30;
   Input input;
   EXPECT_EQ(channel_size(site, input, nullptr, {64, 36}), glm::vec3(0, 0, 0));
-  EXPECT_EQ(channel_size(site, reads(0), nullptr, {64, 36}), glm::vec3(64, 36, 1));
+  EXPECT_EQ(channel_size(site, of_pass(0), nullptr, {64, 36}), glm::vec3(64, 36, 1));
   input.kind = InputKind::texture;
   EXPECT_EQ(channel_size(site, input, &picture, {64, 36}), glm::vec3(40, 30, 1));
   input.kind = InputKind::keyboard;

@@ -18,7 +18,7 @@ Project early_and_late_reader(bool quirks) {
   return project;
 }
 
-Frame frame_of(int index, int width) {
+Frame wide_frame(int index, int width) {
   Frame frame;
   frame.index = index;
   frame.width = width;
@@ -43,17 +43,17 @@ TEST(PingPong, EarlierReadersSeeTheLastFrameAndLaterOnesThisOne) {
   PingPong ping_pong(early_and_late_reader(false));
   EXPECT_EQ(ping_pong.targets(0), 1U);
   EXPECT_EQ(ping_pong.targets(1), 2U);
-  EXPECT_FALSE(ping_pong.begin(frame_of(0, 16)).has_value());
+  EXPECT_FALSE(ping_pong.begin(wide_frame(0, 16)).has_value());
   const auto first = play(ping_pong);
   const std::size_t drawn = first[2];
   EXPECT_EQ(first, (std::vector<std::size_t>{1 - drawn, 1 - drawn, drawn, drawn}));
-  EXPECT_FALSE(ping_pong.begin(frame_of(1, 16)).has_value());
+  EXPECT_FALSE(ping_pong.begin(wide_frame(1, 16)).has_value());
   EXPECT_EQ(play(ping_pong), (std::vector<std::size_t>{drawn, drawn, 1 - drawn, 1 - drawn}));
 }
 
 TEST(PingPong, WithTheExtensionsQuirksEarlierReadersSeeTheFrameBeforeTheLast) {
   PingPong ping_pong(early_and_late_reader(true));
-  const auto warm_up = ping_pong.begin(frame_of(0, 16));
+  const auto warm_up = ping_pong.begin(wide_frame(0, 16));
   ASSERT_TRUE(warm_up.has_value());
   EXPECT_EQ(warm_up->index, 0);
   EXPECT_EQ(warm_up->time, 0.0);
@@ -63,14 +63,14 @@ TEST(PingPong, WithTheExtensionsQuirksEarlierReadersSeeTheFrameBeforeTheLast) {
   ping_pong.end_warm_up();
   EXPECT_EQ(play(ping_pong), (std::vector<std::size_t>{target, 1 - target, target, target}))
       << "frame 0 draws where the warm-up did, and shows it to earlier passes";
-  ping_pong.begin(frame_of(1, 16));
+  ping_pong.begin(wide_frame(1, 16));
   EXPECT_EQ(play(ping_pong), (std::vector<std::size_t>{1 - target, target, 1 - target, 1 - target}));
 }
 
 TEST(PingPong, OnlyAStartIsWarmedUpAndMeasuredWithTheExtensionsQuirks) {
   PingPong ping_pong(early_and_late_reader(true));
   const auto begin = [&](int index, int width) {
-    const bool warm_up = ping_pong.begin(frame_of(index, width)).has_value();
+    const bool warm_up = ping_pong.begin(wide_frame(index, width)).has_value();
     ping_pong.end_warm_up();
     return warm_up;
   };
@@ -83,8 +83,8 @@ TEST(PingPong, OnlyAStartIsWarmedUpAndMeasuredWithTheExtensionsQuirks) {
   EXPECT_EQ(ping_pong.reported_size(), glm::ivec2(32, 9));
 
   PingPong without(early_and_late_reader(false));
-  without.begin(frame_of(0, 16));
-  without.begin(frame_of(0, 32));
+  without.begin(wide_frame(0, 16));
+  without.begin(wide_frame(0, 32));
   EXPECT_EQ(without.reported_size(), glm::ivec2(32, 9));
 }
 

@@ -5,7 +5,7 @@
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/shapes.h"
 
-namespace shadertwin {
+namespace shadertwin::camera_test {
 namespace {
 
 class GetRay : public OnEveryBackend {};
@@ -300,4 +300,4 @@ TEST_P(OrbitCamera, AnglesStayWithinTheScenesLimitsAndOnRelease) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::camera_test

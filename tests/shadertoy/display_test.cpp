@@ -5,7 +5,7 @@
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/random.h"
 
-namespace shadertwin {
+namespace shadertwin::display_test {
 namespace {
 
 class Accumulate : public OnEveryBackend {};
@@ -113,4 +113,4 @@ TEST_P(Accumulate, DropsWhatIsNotANumberAndCountsIt) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::display_test

@@ -4,7 +4,7 @@
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/shapes.h"
 
-namespace shadertwin {
+namespace shadertwin::flat_test {
 namespace {
 
 class HitQuad : public OnEveryBackend {};
@@ -224,4 +224,4 @@ TEST_P(HitTriangle, ClosedMeshesHaveNoCracks) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::flat_test

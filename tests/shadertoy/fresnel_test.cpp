@@ -7,7 +7,7 @@
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/random.h"
 
-namespace shadertwin {
+namespace shadertwin::fresnel_test {
 namespace {
 
 class Fresnel : public OnEveryBackend {};
@@ -308,4 +308,4 @@ TEST_P(BeerLambert, TwoHalvesMakeAWhole) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::fresnel_test

@@ -6,7 +6,7 @@
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/shapes.h"
 
-namespace shadertwin {
+namespace shadertwin::glass_test {
 namespace {
 
 class Glass : public OnEveryBackend {};
@@ -154,4 +154,4 @@ TEST_P(Glass, IndexOneIsNotThere) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::glass_test

@@ -6,7 +6,7 @@
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/random.h"
 
-namespace shadertwin {
+namespace shadertwin::hash_test {
 namespace {
 
 class Hash : public OnEveryBackend {};
@@ -114,4 +114,4 @@ TEST_P(Hash, EveryKindGivesNumbersBelowOne) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::hash_test

@@ -4,7 +4,7 @@
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/shapes.h"
 
-namespace shadertwin {
+namespace shadertwin::light_test {
 namespace {
 
 class QuadLights : public OnEveryBackend {};
@@ -96,4 +96,4 @@ TEST_P(Shadows, MovingThingsShadowWhereTheyAreAtTheRaysTime) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::light_test

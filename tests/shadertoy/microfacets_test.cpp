@@ -5,7 +5,7 @@
 #include "tests/shadertoy/ggx.h"
 #include "tests/shadertoy/shapes.h"
 
-namespace shadertwin {
+namespace shadertwin::microfacets_test {
 namespace {
 
 class Microfacets : public OnEveryBackend {};
@@ -182,4 +182,4 @@ TEST_P(Microfacets, SampledNormalsAreOfUnitLengthAndFinite) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::microfacets_test

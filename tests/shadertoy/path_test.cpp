@@ -2,7 +2,7 @@
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/shapes.h"
 
-namespace shadertwin {
+namespace shadertwin::path_test {
 namespace {
 
 class Paths : public OnEveryBackend {};
@@ -48,4 +48,4 @@ TEST_P(Paths, OfAFurnaceAndOfTheCornellBoxAreTheSameEverywhere) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::path_test

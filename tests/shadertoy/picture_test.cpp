@@ -10,7 +10,7 @@
 
 #include "tests/shadertoy/bar.h"
 
-namespace shadertwin {
+namespace shadertwin::picture_test {
 namespace {
 
 class Pictures : public OnEveryBackend {};
@@ -168,4 +168,4 @@ TEST_P(Pictures, EveryKnobsSamplesAreNumbers) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::picture_test

@@ -4,7 +4,7 @@
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/shapes.h"
 
-namespace shadertwin {
+namespace shadertwin::respawn_test {
 namespace {
 
 class SpawnRay : public OnEveryBackend {};
@@ -100,4 +100,4 @@ TEST_P(SpawnRay, NeverHitsItsOwnQuad) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::respawn_test

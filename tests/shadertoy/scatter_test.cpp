@@ -6,7 +6,7 @@
 #include "tests/shadertoy/ggx.h"
 #include "tests/shadertoy/scattering.h"
 
-namespace shadertwin {
+namespace shadertwin::scatter_test {
 namespace {
 
 class Scatter : public OnEveryBackend {};
@@ -218,4 +218,4 @@ TEST_P(Scatter, ExtremesGiveNumbers) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::scatter_test

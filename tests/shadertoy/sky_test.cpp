@@ -6,7 +6,7 @@
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/shapes.h"
 
-namespace shadertwin {
+namespace shadertwin::sky_test {
 namespace {
 
 class Sky : public OnEveryBackend {};
@@ -137,4 +137,4 @@ TEST_P(Sky, IsTheMeanOfThreeFacesInTheirCorner) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::sky_test

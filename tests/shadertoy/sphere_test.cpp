@@ -5,7 +5,7 @@
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/shapes.h"
 
-namespace shadertwin {
+namespace shadertwin::sphere_test {
 namespace {
 
 class HitSphere : public OnEveryBackend {};
@@ -266,4 +266,4 @@ TEST_P(HitMovingSphere, StandsStillWithoutMotionOrDuration) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::sphere_test

@@ -7,7 +7,7 @@
 #include "tests/shadertoy/random.h"
 #include "tests/shadertoy/warps.h"
 
-namespace shadertwin {
+namespace shadertwin::warps_test {
 namespace {
 
 class Warps : public OnEveryBackend {};
@@ -146,4 +146,4 @@ TEST_P(Warps, BasisIsOrthonormalAndRightHandedForRandomNormals) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::warps_test

@@ -5,7 +5,7 @@
 #include "tests/shadertoy/ggx.h"
 #include "tests/statistics/statistics.h"
 
-namespace shadertwin {
+namespace shadertwin::furnace_test {
 namespace {
 
 SHADERTWIN_STATISTICS(Furnace);
@@ -215,4 +215,4 @@ TEST_P(Furnace, FuzzyMirrorsLoseWhatFallsBelowTheSurface) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::furnace_test

@@ -6,7 +6,7 @@
 #include "tests/statistics/floor.h"
 #include "tests/statistics/statistics.h"
 
-namespace shadertwin {
+namespace shadertwin::light_test {
 namespace {
 
 SHADERTWIN_STATISTICS(Light);
@@ -89,4 +89,4 @@ TEST_P(Light, NoiseFallsWithTheSquareRootOfTheSamplesAndReachesNoFloor) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::light_test

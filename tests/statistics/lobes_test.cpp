@@ -5,7 +5,7 @@
 #include "tests/shadertoy/scattering.h"
 #include "tests/statistics/statistics.h"
 
-namespace shadertwin {
+namespace shadertwin::lobes_test {
 namespace {
 
 SHADERTWIN_STATISTICS(Lobes);
@@ -321,4 +321,4 @@ TEST_P(Lobes, DirectionsHaveTheDensityThatTheyAreWeighedWith) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::lobes_test

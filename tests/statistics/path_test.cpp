@@ -4,7 +4,7 @@
 #include "tests/shadertoy/shapes.h"
 #include "tests/statistics/statistics.h"
 
-namespace shadertwin {
+namespace shadertwin::path_test {
 namespace {
 
 SHADERTWIN_STATISTICS(RayColor);
@@ -281,4 +281,4 @@ TEST_P(RayColor, RouletteAgreesInEveryTile) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::path_test

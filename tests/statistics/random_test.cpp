@@ -8,7 +8,7 @@
 
 #include "tests/statistics/statistics.h"
 
-namespace shadertwin {
+namespace shadertwin::random_test {
 namespace {
 
 SHADERTWIN_STATISTICS(RandomNumbers);
@@ -148,4 +148,4 @@ TEST_P(RandomNumbers, SobolPointsEndWithTheirLastSurface) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::random_test

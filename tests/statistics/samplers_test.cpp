@@ -6,7 +6,7 @@
 #include "tests/shadertoy/warps.h"
 #include "tests/statistics/statistics.h"
 
-namespace shadertwin {
+namespace shadertwin::samplers_test {
 namespace {
 
 SHADERTWIN_STATISTICS(Samplers);
@@ -147,4 +147,4 @@ TEST_P(Samplers, PointsOfALightAreEven) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::samplers_test

@@ -15,34 +15,35 @@
 namespace shadertwin {
 namespace {
 
-constexpr const char* image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.0); }\n";
+constexpr const char* plain_image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.0); }\n";
 
 // The pass with this body, as a host wraps it.
 Project project_of(const std::string& body) {
   const ScratchFolder folder;
-  return load_project(folder.write("shader.glsl", body + image), {.settings = {.undefined = Undefined::raw}});
+  return load_project(folder.write("shader.glsl", body + plain_image),
+                      {.settings = {.undefined = Undefined::raw}});
 }
 
 PassSource defined_source(const Project& project) {
   return define_undefined(project, project.passes[0].source).value();
 }
 
-std::string defined(const std::string& body) {
+std::string started(const std::string& body) {
   const std::string text = defined_source(project_of(body)).body;
   return text.substr(0, text.find("void mainImage"));
 }
 
 TEST(DefineUndefined, StartsVariablesAtZero) {
-  EXPECT_EQ(defined("vec3 g, h = vec3(1.0); const float k = 1.0; uniform int u;\n"),
+  EXPECT_EQ(started("vec3 g, h = vec3(1.0); const float k = 1.0; uniform int u;\n"),
             "vec3 g = vec3(0) , h = vec3 ( 1.0 ) ; const float k = 1.0 ; uniform int u ;\n");
-  EXPECT_EQ(defined("void f() { bvec2 b; for (float i, z; i < 1.0; i++) uint u; }\n"),
+  EXPECT_EQ(started("void f() { bvec2 b; for (float i, z; i < 1.0; i++) uint u; }\n"),
             "void f ( ) { bvec2 b = bvec2(false) ; for ( float i = 0.0 , z = 0.0 ; i < 1.0 ; i ++ ) uint u = "
             "0u ; }\n");
 }
 
 TEST(DefineUndefined, StartsArraysAndStructuresAtZero) {
   EXPECT_EQ(
-      defined("const int N = 3;\nstruct S { mat2 m, n; float f[N - 1]; };\nS s, t[2]; int[N] i;\n"),
+      started("const int N = 3;\nstruct S { mat2 m, n; float f[N - 1]; };\nS s, t[2]; int[N] i;\n"),
       "const int N = 3 ;\nstruct S { mat2 m , n ; float f [ N - 1 ] ; } ;\n"
       "S s = S(mat2(0), mat2(0), float[2](0.0, 0.0)) , "
       "t [ 2 ] = S[2](S(mat2(0), mat2(0), float[2](0.0, 0.0)), S(mat2(0), mat2(0), float[2](0.0, 0.0))) ; "
@@ -50,26 +51,26 @@ TEST(DefineUndefined, StartsArraysAndStructuresAtZero) {
 }
 
 TEST(DefineUndefined, StartsArraysThatFollowTheirStructureAtZero) {
-  EXPECT_EQ(defined("struct S { int i; } s, t[2];\n"),
+  EXPECT_EQ(started("struct S { int i; } s, t[2];\n"),
             "struct S { int i ; } s = S(0) , t [ 2 ] = S[2](S(0), S(0)) ;\n");
 }
 
 TEST(DefineUndefined, StartsAStructureWhoseNameBeginsAsABuiltInTypes) {
-  EXPECT_EQ(defined("struct material { float a; };\nmaterial m;\n"),
+  EXPECT_EQ(started("struct material { float a; };\nmaterial m;\n"),
             "struct material { float a ; } ;\nmaterial m = material(0.0) ;\n");
 }
 
 TEST(DefineUndefined, ClampsAnIndexThatParenthesesHideTheWriteOf) {
-  const std::string text = defined(
+  const std::string text = started(
       "float q[4]; float f() { float s = 0.0; for (int i = 0; i < 4; i++) { (i) += 5; s += q[i]; } return s; "
       "}\n");
   EXPECT_NE(text.find("shadertwin_at( i , 3)"), std::string::npos) << text;
 }
 
 TEST(DefineUndefined, ClearsLongArraysByALoop) {
-  EXPECT_NE(defined("void f() { highp float a[999]; float b = a[0]; }\n").find("for (int shadertwin_i"),
+  EXPECT_NE(started("void f() { highp float a[999]; float b = a[0]; }\n").find("for (int shadertwin_i"),
             std::string::npos);
-  EXPECT_EQ(defined("void f() { float a[999], b; b = a[0]; }\n"),
+  EXPECT_EQ(started("void f() { float a[999], b; b = a[0]; }\n"),
             "void f ( ) { float a [ 999 ] , b = 0.0 ; for (int shadertwin_i = 0; shadertwin_i < a.length(); "
             "++shadertwin_i) a[shadertwin_i] = 0.0; b = a [ 0 ] ; }\n");
   const std::string tail = defined_source(project_of("float g[999];\n")).tail;
@@ -79,22 +80,22 @@ TEST(DefineUndefined, ClearsLongArraysByALoop) {
 }
 
 TEST(DefineUndefined, ClearsOutputsWhereTheirFunctionStarts) {
-  EXPECT_EQ(defined("struct S { int i; };\nvoid f(out S s, inout vec2 v, out float a[2]);\n"
+  EXPECT_EQ(started("struct S { int i; };\nvoid f(out S s, inout vec2 v, out float a[2]);\n"
                     "void f(out S s, inout vec2 v, out float a[2]) { }\n"),
             "struct S { int i ; } ;\nvoid f ( out S s , inout vec2 v , out float a [ 2 ] ) ;\n"
             "void f ( out S s , inout vec2 v , out float a [ 2 ] ) { s = S(0); a = float[2](0.0, 0.0); }\n");
 }
 
 TEST(DefineUndefined, ReturnsZeroWhereAFunctionEnds) {
-  EXPECT_EQ(defined("vec2 f(int i) { if (i > 0) return vec2(i); }\n"),
+  EXPECT_EQ(started("vec2 f(int i) { if (i > 0) return vec2(i); }\n"),
             "vec2 f ( int i ) { if ( i > 0 ) return vec2 ( i ) ; return vec2(0); }\n");
-  EXPECT_EQ(defined("int f(int i) { if (i > 0) i++; return i; }\nvoid g() { return; }\n"),
+  EXPECT_EQ(started("int f(int i) { if (i > 0) i++; return i; }\nvoid g() { return; }\n"),
             "int f ( int i ) { if ( i > 0 ) i ++ ; return i ; }\nvoid g ( ) { return ; }\n");
 }
 
 TEST(DefineUndefined, ClampsIndicesThatAreNoConstants) {
   EXPECT_EQ(
-      defined(
+      started(
           "const float t[3] = float[3](1.0, 2.0, 3.0);\n"
           "float f(int i, mat4 m, vec2 v) { return t[i] + m[i + 1][2] + v[t[i] > 1.0 ? i : 0] + t[2]; }\n"),
       "const float t [ 3 ] = float [ 3 ] ( 1.0 , 2.0 , 3.0 ) ;\n"
@@ -106,7 +107,7 @@ TEST(DefineUndefined, ClampsIndicesThatAreNoConstants) {
 TEST(DefineUndefined, LeavesIndicesThatALoopKeepsInside) {
   const auto clamps = [](const std::string& loop) {
     const std::string text =
-        defined("void h(inout int i);\nfloat f() { float a[4], s; " + loop + " return s; }\n");
+        started("void h(inout int i);\nfloat f() { float a[4], s; " + loop + " return s; }\n");
     return text.find("shadertwin_at") != std::string::npos;
   };
   EXPECT_FALSE(clamps("for (int i = 0; i < 4; i++) s += a[i];"));
@@ -130,7 +131,7 @@ TEST(DefineUndefined, KeepsEveryLineWhereItWas) {
   const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
   EXPECT_EQ(lines(after.head), lines(written.head));
   EXPECT_EQ(lines(after.body), lines(written.body));
-  EXPECT_EQ(defined(body),
+  EXPECT_EQ(started(body),
             "\n\n\nfloat f ( )\n{\nfloat a = 0.0 ;\nfor ( int i = 0 ; i < 3 ; i ++ ) { a += 1.0 ; }\nreturn "
             "a ;\n}\n");
 }

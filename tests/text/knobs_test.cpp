@@ -8,12 +8,12 @@
 namespace shadertwin {
 namespace {
 
-constexpr const char* image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(STEPS); }\n";
+constexpr const char* stepped_image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(STEPS); }\n";
 
 class Knobs : public testing::Test {
  protected:
   Project load(const std::string& text, const Defines& defines = {}) const {
-    return load_project(folder.write("a.glsl", text + image), {.settings = {.defines = defines}});
+    return load_project(folder.write("a.glsl", text + stepped_image), {.settings = {.defines = defines}});
   }
   TempFolder folder;
 };

@@ -11,7 +11,7 @@
 #include "reference/twin/twin_device.h"
 #include "tests/scratch_folder.h"
 
-namespace shadertwin {
+namespace shadertwin::player_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -156,6 +156,17 @@ TEST_F(Player, EveryTwinIsCompiledOnce) {
   EXPECT_EQ(cached_twins(), 1U);
 }
 
+TEST_F(Player, TextsOfTheSameCppAreCompiledOnce) {
+  const Setting cache = cache_without_twins();
+  const Image first = played(project(position));
+  const Setting no_compiler("PATH", folder.path());  // as above
+  const Setting compiler("CXX", "/usr/bin/c++");
+  EXPECT_EQ(
+      played(project("void mainImage(out vec4 c, in vec2 p) { c = (vec4(p, 0.1 * p.x, (1.0))); }\n")).rgba,
+      first.rgba);
+  EXPECT_EQ(cached_twins(), 2U);  // the cache has it by another name
+}
+
 TEST_F(Player, DamagedTwinIsCompiledAgain) {
   const Setting cache = cache_without_twins();
   const Image first = played(project(position));
@@ -221,4 +232,4 @@ TEST_F(Player, RefusedShaderNamesTheUsersLine) {
 }
 
 }  // namespace
-}  // namespace shadertwin
+}  // namespace shadertwin::player_test
