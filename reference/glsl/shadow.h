@@ -118,9 +118,33 @@ template <int count>
 
 // --- Arithmetic -------------------------------------------------------------
 
-// `sum` is rounded(a) + rounded(b).
-[[gnu::noinline]] inline Shadow settled_sum(const Shadow& a, const Shadow& b, float sum,
-                                            const Shadow& result) {
+inline double magnitude_of_both(const Shadow& x) {
+  return larger_of(std::fabs(static_cast<double>(x.value)), std::fabs(x.exact));
+}
+inline double distance_of(const Shadow& x) {
+  return std::fabs(static_cast<double>(x.value) - x.exact);
+}
+
+// Most errors that are notable have only arrived: the operation adds little, and the larger one of its
+// operands' errors, `of_a` or `of_b`, has an origin. Then gives the result this origin. False, and nothing
+// done, where there is more to tell, or anything is infinite or no number.
+[[gnu::always_inline]] inline bool passes_on(double own, double of_a, double of_b, const Shadow& a,
+                                             const Shadow& b, Shadow& result) {
+  const double small = notable * magnitude_of_both(result);
+  if (!(own <= small) || !(of_a + of_b < std::numeric_limits<double>::infinity()) || telling__) return false;
+  if (distance_of(result) <= small) return true;
+  const std::uint32_t origin = of_a >= of_b ? a.origin : b.origin;
+  if (origin == 0) return false;
+  result.origin = origin;
+  return true;
+}
+
+// `sum` is rounded(a) + rounded(b). Operands by value: in registers, where their addresses would keep them in
+// memory.
+[[gnu::noinline]] inline Shadow settled_sum(Shadow a, Shadow b, float sum, Shadow result) {
+  if (passes_on(std::fabs(static_cast<double>(sum) - result.exact), distance_of(a), distance_of(b), a, b,
+                result)) [[likely]]
+    return result;
   const double of_a = error_of(a);
   const double of_b = error_of(b);
   Settled how{error_of(sum, result.exact), larger_of(of_a, of_b), of_a >= of_b ? a.origin : b.origin,
@@ -134,9 +158,14 @@ template <int count>
   return settled(how, {a, b}, result);
 }
 
-// `share` is rounded(a) * rounded(b) or the quotient: relative errors add up.
-[[gnu::noinline]] inline Shadow settled_product(const Shadow& a, const Shadow& b, float product,
-                                                const Shadow& result) {
+// `product` is rounded(a) * rounded(b) or the quotient: relative errors add up.
+[[gnu::noinline]] inline Shadow settled_product(Shadow a, Shadow b, float product, Shadow result) {
+  const double size_a = magnitude_of_both(a);
+  const double size_b = magnitude_of_both(b);
+  const auto part = [](double error, double size) { return error < size ? error : size; };
+  if (passes_on(std::fabs(static_cast<double>(product) - result.exact), part(distance_of(a), size_a) * size_b,
+                part(distance_of(b), size_b) * size_a, a, b, result)) [[likely]]
+    return result;
   const double of_a = share_of(error_of(a), a);
   const double of_b = share_of(error_of(b), b);
   Settled how{error_of(product, result.exact), larger_of(of_a, of_b) * std::fabs(result.exact),
