@@ -30,7 +30,7 @@ class BareGl {
  public:
   explicit BareGl(const std::string& device)
       : context_(gl::open_context(device)), gl_(context_->functions()), project_(trivial_project()) {
-    program_.emplace(gl::Program::fragment(gl_, project_, project_.passes[0]));
+    program_.emplace(gl::Program::fragment(gl_, project_, project_.passes[0], project_.passes[0].source));
     resolution_ = program_->uniform("iResolution");
     time_ = program_->uniform("iTime");
     vertex_array_ = gl::VertexArrayObject(gl_);

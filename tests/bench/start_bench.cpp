@@ -119,7 +119,8 @@ void compile(benchmark::State& state, const char* device) {
     context->make_current();
     state.ResumeTiming();
     for (const Pass& each : project.passes)
-      benchmark::DoNotOptimize(gl::Program::fragment(context->functions(), project, each).name());
+      benchmark::DoNotOptimize(
+          gl::Program::fragment(context->functions(), project, each, each.source).name());
   }
 }
 
