@@ -1,5 +1,6 @@
 // Rooms whose light is known in closed form. Read twice, like every scene. ROOM: 0 a floor under a light, nothing
-// else. 1 a closed box whose walls shine and reflect. 2 a hollow ball with a point light in its middle. 3 one ball in
+// else. 1 a closed box whose walls shine and reflect. 2 a hollow ball with point lights in its middle, all
+// together of intensity pi. 3 one ball in
 // white light. 4 the left half of the view, shining.
 
 #ifndef COMMON_GLSL
@@ -42,7 +43,9 @@
 #define HAS_POINT_LIGHTS
 #define QUADS 0
 #define SPHERES 1
+#ifndef POINT_LIGHTS
 #define POINT_LIGHTS 1
+#endif
 #define QUAD_LIGHTS 0
 #elif ROOM == 3
 #define HAS_METAL
@@ -110,7 +113,9 @@ Material scene_material(int primitive, vec3 pos)
 #if ROOM == 2
 PointLight scene_pointLight(int i)
 {
-    return createPointLight(vec3(0.0), vec3(1.0), PI);
+    // The first is the weakest.
+    float share = float(i + 1) / float(POINT_LIGHTS * (POINT_LIGHTS + 1) / 2);
+    return createPointLight(vec3(0.0), vec3(1.0), PI * share);
 }
 #endif
 
