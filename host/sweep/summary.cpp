@@ -105,7 +105,9 @@ TimeToTarget time_to(double target, const std::vector<Summary>& stages, double s
   const Estimate& b = last.relative_bias2;
   const double bias2 = b.mean > 0.0 && !(b.mean < 2.0 * b.error) ? b.mean : 0.0;
   result.extrapolated = true;
-  if (bias2 >= target)
+  if (bias2 >= target && std::isnan(b.error))
+    result.seconds = unknown;  // of one run, nothing tells a bias from noise
+  else if (bias2 >= target)
     result.seconds = std::numeric_limits<double>::infinity();
   else if (slope < 0.0)
     result.seconds = seconds(last.frames * std::pow((target - bias2) / noise(last), 1.0 / slope), last);

@@ -70,7 +70,11 @@ TEST(TimeToTarget, IsExtrapolatedByTheSlopeOfTheNoise) {
 }
 
 TEST(TimeToTarget, IsNeverWhereTheBiasIsLarger) {
-  EXPECT_TRUE(std::isinf(summarise(runs(0.02, 6.4), {0.01}).targets[0].seconds));
+  EXPECT_TRUE(std::isinf(summarise(runs(0.02, 6.4, 2), {0.01}).targets[0].seconds));
+}
+
+TEST(TimeToTarget, IsUnknownWhereOneRunCannotTellABiasFromNoise) {
+  EXPECT_TRUE(std::isnan(summarise(runs(0.02, 6.4), {0.01}).targets[0].seconds));
 }
 
 TEST(Summary, OfNothingIsUnknown) {
