@@ -10,7 +10,8 @@ STYLE = """
 body { font: 16px/1.5 sans-serif; max-width: 1100px; margin: 2em auto; padding: 0 1em; color: #222; background: #fff }
 table { border-collapse: collapse; font-size: 13px; display: block; overflow-x: auto }
 td, th { border: 1px solid #ccc; padding: .3em .6em; text-align: left; vertical-align: top }
-svg, img { max-width: 100%; height: auto }
+img { max-width: 100%; height: auto }
+figure[role=img] { overflow-x: auto }  /* their letters are small as it is */
 figure { margin: 2em 0 }
 figcaption { margin-top: .4em }
 .pair { position: relative; display: grid; width: fit-content; max-width: 100% }

@@ -43,9 +43,12 @@ int main(int argc, char** argv) {
                                                  "wrong usage; 3 the shader doesn't compile;\n"
                                                  "4 a file can't be read or written; 5 no way to run here."};
   try {
-    return shadertwin::app::run_command_line(argc, argv, text, [&](auto app) {
+    const int status = shadertwin::app::run_command_line(argc, argv, text, [&](auto app) {
       declare(app, {argv + 1, argv + argc});
     });
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      return fail(ExitStatus::file, "standard output: can't be written");
+    return status;
   } catch (const shadertwin::Error& e) {
     return fail(e.status(), e.what());
   } catch (const std::bad_alloc&) {

@@ -9,6 +9,7 @@
 #include "host/app/report.h"
 #include "host/app/sweep_player.h"
 #include "host/base/error.h"
+#include "host/compare/errors.h"
 #include "host/sweep/report.h"
 #include "host/text/knobs.h"
 
@@ -55,6 +56,33 @@ std::filesystem::path log_file(const SweepOptions& options) {
 // A message without what comes after its first line.
 std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
+}
+
+// With errors that say which picture they are of.
+Reference draw_reference(SweepPlayer& player, const Point& right, bool quiet) {
+  try {
+    Reference reference = player.reference(right);
+    std::size_t unusable = 0;
+    for (const Image& picture : reference.shown) {
+      const PictureError error = picture_error(picture, picture);
+      unusable += error.nan + error.infinite;
+    }
+    if (unusable > 0 && !quiet)
+      std::fprintf(stderr,
+                   "warning: the reference has %zu values that are NaN or infinite; no error counts them\n",
+                   unusable);
+    return reference;
+  } catch (const Error& error) {
+    if (error.status() == ExitStatus::file) throw;
+    throw Error(error.status(), "the reference: " + first_line(error.what()));
+  }
+}
+
+// "the others are measured", or that there are none.
+std::string failures_text(std::size_t failures, std::size_t points) {
+  if (failures == points) return "no point could be played";
+  return std::to_string(failures) + " of " + std::to_string(points) +
+         " points could not be played; the others are measured";
 }
 
 void run_sweep(SweepOptions& options) {
@@ -108,7 +136,7 @@ void run_sweep(SweepOptions& options) {
             Point right = base;
             for (std::size_t axis = 0; axis < right.size(); ++axis)
               if (options.axes[axis].is_case) right[axis] = points[i][axis];
-            references.emplace(name, player.reference(right));
+            references.emplace(name, draw_reference(player, right, options.quiet));
           }
           const Reference* reference = options.has_reference() ? &references.at(name) : nullptr;
           if (keys[i].empty()) keys[i] = player.key(points[i], reference);
@@ -142,8 +170,7 @@ void run_sweep(SweepOptions& options) {
     }
   }
   if (failures > 0)
-    throw Error(ExitStatus::failed, std::to_string(failures) + " of " + std::to_string(points.size()) +
-                                        " points could not be played; the others are measured");
+    throw Error(ExitStatus::failed, failures_text(static_cast<std::size_t>(failures), points.size()));
 }
 
 // --- Options ----------------------------------------------------------------
@@ -223,6 +250,8 @@ void check_options(SweepOptions& options) {
                 "--target is for a picture that gets better with its frames: --accumulates");
   if (options.max_frames.has_value() && options.targets.empty())
     throw Error(ExitStatus::usage, "--max-frames is how far to go for a --target");
+  if (!options.output.empty() && std::filesystem::path(options.output).extension() != ".csv")
+    throw Error(ExitStatus::usage, "-o " + options.output + ": the table of points is a .csv");
   if (!options.plot.empty()) sweep::need_plot_format(options.plot);
   if (!options.plot.empty() && !options.has_reference())
     throw Error(ExitStatus::usage, "--plot shows an error: it needs a --reference, or --reference-frames");
@@ -247,15 +276,15 @@ void add_sweep(CommandLine app) {
   add_axis_option(command, *options, Axis::Kind::size, "size", read_size,
                   "A,B: WIDTHxHEIGHT in pixels; each size has a reference of its own", "640x360");
   add_axis_option(command, *options, Axis::Kind::init, "init", one_of("zero", "raw"),
-                  "zero, raw or both: as render has it", "zero");
+                  "zero, raw or zero,raw: as render has it", "zero");
   add_axis_option(command, *options, Axis::Kind::precise, "precise", one_of("off", "on"),
-                  "off, on or both: as render has it", "off");
+                  "off, on or off,on: as render has it", "off");
   command.add_flag("--one-at-a-time", options->one_at_a_time,
                    "vary one axis at a time around the shader's own values instead of all combinations");
   add_value(command, "--seed", options->seed, read_seed,
             "the SEED of the reference; those of the runs follow", "0")
       .type_name("UINT");
-  add_value(command, "--runs", options->runs, read_frames,
+  add_value(command, "--runs", options->runs, read_runs,
             "how often each point is played; with the knob SEED, each time with two other seeds", "4")
       .type_name("INT");
   add_word(
@@ -281,8 +310,8 @@ void add_sweep(CommandLine app) {
       .type_name("INT");
   command.add_option(
       "-o,--output", options->output,
-      "write a line for each point into this .csv; single runs go into a .runs.csv beside it, from which "
-      "an interrupted sweep goes on");
+      "write a line for each point into this .csv; single runs go into a .runs.csv and references into .exr "
+      "files beside it, from which an interrupted sweep goes on");
   command.add_option("--plot", options->plot, "plot error over time into this .svg or .png, by gnuplot");
   command.callback([options] {
     check_options(*options);

@@ -110,7 +110,8 @@ std::string SweepPlayer::picture_key(const PlayOptions& options, int frames) {
     text += std::to_string(step.code) + ' ' + std::to_string(step.frame) + ' ' +
             std::to_string(step.release.value_or(-1)) + '\n';
   for (const Pass& pass : project.passes) {
-    text += pass.name + '\n' + pass.source.head + pass.source.body + pass.source.tail;
+    // An #error leaves its mark in `refused` alone.
+    text += pass.name + '\n' + pass.source.head + pass.source.body + pass.source.tail + pass.source.refused;
     for (const Input& input : pass.inputs)
       for (const fs::path& file : input.files) text += file_key(file);
   }
@@ -251,10 +252,11 @@ std::vector<Measurement> SweepPlayer::run(const sweep::Point& point, int number,
   if (reference != nullptr) {
     const Image& drawn = takes.front().shown.back();
     const Image& right = reference->shown.front();
+    // Only a file can have another size, and it is the reference of all points.
     if (drawn.width != right.width || drawn.height != right.height)
-      throw Error(ExitStatus::usage, "the reference has " + std::to_string(right.width) + "x" +
-                                         std::to_string(right.height) + " pixels, this picture " +
-                                         std::to_string(drawn.width) + "x" + std::to_string(drawn.height));
+      throw Error(ExitStatus::file, options_.reference_file + ": has " + std::to_string(right.width) + "x" +
+                                        std::to_string(right.height) + " pixels, the picture " +
+                                        std::to_string(drawn.width) + "x" + std::to_string(drawn.height));
   }
   std::vector<double> times;
   for (const Take& take : takes)

@@ -92,6 +92,12 @@ int read_frames(const std::string& text) {
   return frames;
 }
 
+int read_runs(const std::string& text) {
+  int runs = 0;
+  if (!read_number(text, runs) || runs < 1) fail("expected a number of runs, at least one");
+  return runs;
+}
+
 double read_rate(const std::string& text) {
   double rate = 0.0;
   if (!read_number(text, rate) || !(rate > 0.0) || !std::isfinite(rate)) fail("expected a number above 0");

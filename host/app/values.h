@@ -36,6 +36,7 @@ glm::ivec2 read_size(const std::string& text);   // WIDTHxHEIGHT, each from 1 to
 glm::ivec2 read_pixel(const std::string& text);  // X,Y, each from 0
 Region read_region(const std::string& text);     // X,Y,WIDTH,HEIGHT
 int read_frames(const std::string& text);        // from 1
+int read_runs(const std::string& text);          // from 1
 double read_rate(const std::string& text);       // above 0
 double read_time(const std::string& text);       // finite
 double read_timeout(const std::string& text);    // from 0

@@ -24,6 +24,9 @@ OutputFile::OutputFile(fs::path target) : target_(std::move(target)) {
   if (!fs::is_directory(folder, ignored))
     throw Error(ExitStatus::file, target_.string() + ": the folder " + folder.string() + " does not exist");
   if (fs::is_directory(target_, ignored)) throw Error(ExitStatus::file, target_.string() + ": is a folder");
+  // A rename would put a file in the place of a device or a pipe.
+  if (fs::is_other(target_, ignored))
+    throw Error(ExitStatus::file, target_.string() + ": is a device or a pipe, not a file");
   const std::string number = std::to_string(getpid()) + "-" + std::to_string(serial++);
   const std::string stem = target_.stem().string().substr(0, 200);  // names have at most 255 bytes
   temporary_ = folder / ("." + stem + "." + number + target_.extension().string());

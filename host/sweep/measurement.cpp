@@ -67,25 +67,34 @@ std::string csv_cell(const std::string& text) {
 
 RunLog::RunLog(std::filesystem::path file) : file_(std::move(file)) {
   if (file_.empty()) return;
-  bool complete = true;
-  std::string text;
+  std::error_code failed;
+  if (std::filesystem::exists(file_) && !std::filesystem::is_regular_file(file_))
+    throw Error(ExitStatus::file, file_.string() + ": is not a file");
+  std::uintmax_t whole = 0;  // bytes up to the line that broke off
   if (std::filesystem::exists(file_)) {
     std::ifstream in(file_, std::ios::binary);
+    if (!in) throw Error(ExitStatus::file, file_.string() + ": can't be read");
     std::string line;
-    if (!std::getline(in, line) || (line != header && !in.eof()))
+    std::getline(in, line);
+    const bool broke_off = in.eof() && std::string(header).rfind(line, 0) == 0;
+    if (line != header && !broke_off)
       throw Error(ExitStatus::file, file_.string() + ": is no log of a sweep; -o another name");
-    while (std::getline(in, line)) {
+    while (!in.eof()) {
+      whole += line.size() + 1;
       Measurement m;
-      complete = !in.eof() && read_line(line, m);
-      if (!complete) break;
+      if (!std::getline(in, line) || in.eof() || !read_line(line, m)) break;
       put(m);
-      text += line + '\n';
     }
+    // Nothing that was measured is written anew: a full disk would lose it.
+    std::filesystem::resize_file(file_, whole, failed);
   }
-  // Without the line that broke off, and with a header.
-  out_.open(file_, std::ios::binary | std::ios::trunc);
-  out_ << header << '\n' << text << std::flush;
-  if (!out_) throw Error(ExitStatus::file, file_.string() + ": can't be written");
+  if (!failed) out_.open(file_, std::ios::binary | std::ios::app);
+  if (whole == 0) out_ << header << '\n' << std::flush;
+  need_written();
+}
+
+void RunLog::need_written() const {
+  if (!out_.is_open() || !out_) throw Error(ExitStatus::file, file_.string() + ": can't be written");
 }
 
 std::vector<Measurement> RunLog::of(const std::string& key) const {
@@ -123,7 +132,7 @@ void RunLog::add(const std::vector<Measurement>& run, const std::string& setting
     lines += ',' + std::to_string(m.nan) + ',' + std::to_string(m.infinite) + ',' + csv_cell(settings) + '\n';
   }
   out_ << lines << std::flush;
-  if (!out_) throw Error(ExitStatus::file, file_.string() + ": can't be written");
+  need_written();
 }
 
 }  // namespace shadertwin::sweep

@@ -45,6 +45,8 @@ class RunLog {
  private:
   // In the place of what an earlier attempt at the same run left.
   void put(const Measurement& m);
+  // Throws Error(file).
+  void need_written() const;
 
   std::filesystem::path file_;
   std::ofstream out_;

@@ -28,6 +28,16 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
+// For a string in double quotes, in which \n begins a line.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c == '\n' ? "\\n" : std::string(1, c);
+  }
+  return result;
+}
+
 // Two columns, seconds and relative MSE, as a named block of gnuplot's.
 class Blocks {
  public:
@@ -36,7 +46,8 @@ class Blocks {
     const std::string block = "$d" + std::to_string(count_++);
     text_ += block + " << EOD\n";
     for (const auto& [x, y] : rows)
-      text_ += number_text(x) + ' ' + number_text(y) + (name.empty() ? "" : " \"" + name + "\"") + '\n';
+      text_ +=
+          number_text(x) + ' ' + number_text(y) + (name.empty() ? "" : " \"" + escaped(name) + "\"") + '\n';
     text_ += "EOD\n";
     return block;
   }
@@ -51,8 +62,8 @@ class Blocks {
 Blocks::Rows front_of(const std::vector<const Result*>& points) {
   Blocks::Rows rows;
   for (const Result* point : points)
-    if (point->pareto && drawable(point->summary))
-      rows.emplace_back(point->summary.seconds(), point->summary.relative_mse.mean);
+    for (const Summary& stage : point->front)
+      if (drawable(stage)) rows.emplace_back(stage.seconds(), stage.relative_mse.mean);
   std::sort(rows.begin(), rows.end());
   return rows;
 }
@@ -73,13 +84,13 @@ bool shows(const Report& report, const Point& point, std::size_t axis) {
   return true;
 }
 
-// Names of points, where they stand. Those that would overlap are one name.
+// Names of points, where they are last on the front. Those that would overlap are the lines of one name.
 std::vector<std::pair<std::pair<double, double>, std::string>> labels_of(
     const Report& report, const std::vector<const Result*>& points) {
   constexpr double close = 1.15;  // a factor in time and in error: about a line of text on two decades
   std::vector<std::pair<std::pair<double, double>, std::string>> labels;
   for (const Result* point : points) {
-    const std::pair place(point->summary.seconds(), point->summary.relative_mse.mean);
+    const std::pair place(point->front.back().seconds(), point->front.back().relative_mse.mean);
     const std::string name = variant_label(report.axes, point->point, report.base);
     const auto near = std::find_if(labels.begin(), labels.end(), [&](const auto& label) {
       const auto ratio = [](double a, double b) { return std::max(a / b, b / a); };
@@ -89,9 +100,29 @@ std::vector<std::pair<std::pair<double, double>, std::string>> labels_of(
     if (near == labels.end())
       labels.emplace_back(place, name);
     else
-      near->second += ", " + name;
+      near->second += "\n" + name;
   }
   return labels;
+}
+
+// Marks of a logarithmic axis, "" where powers of ten alone are enough.
+std::string close_marks(const Blocks::Rows& rows, double Blocks::Rows::value_type::*axis) {
+  if (rows.empty()) return "";
+  double low = rows.front().*axis;
+  double high = low;
+  for (const auto& row : rows) {
+    low = std::min(low, row.*axis);
+    high = std::max(high, row.*axis);
+  }
+  if (high > 50.0 * low) return "";
+  const std::vector<double> digits =
+      high > 4.0 * low ? std::vector{1.0, 2.0, 5.0}
+                       : std::vector{1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0};
+  std::string marks;
+  for (double power = std::floor(std::log10(low)) - 1.0; power <= std::log10(high) + 1.0; ++power)
+    for (const double digit : digits)
+      marks += (marks.empty() ? "(" : ", ") + number_text(digit * std::pow(10.0, power));
+  return marks + ")";
 }
 
 std::string panel(const Report& report, const std::vector<const Result*>& points, std::size_t axis,
@@ -101,7 +132,9 @@ std::string panel(const Report& report, const std::vector<const Result*>& points
   std::string plots;
   const auto plot = [&](const std::string& part) { plots += (plots.empty() ? "plot " : ", \\\n  ") + part; };
   if (const Blocks::Rows front = front_of(points); front.size() > 1)
-    plot(blocks.add(front) + " using 1:2 with steps lc rgb '#999999' dt 2 lw 1.5 title 'Pareto front'");
+    plot(blocks.add(front) +
+         " using 1:2 with steps lc rgb '#999999' dt 2 lw 1.5 title 'Pareto front, of filled points'");
+  Blocks::Rows drawn = front_of(points);
   std::map<std::string, std::size_t> color;
   for (const Result* point : points) {
     if (!drawable(point->summary)) continue;
@@ -111,20 +144,36 @@ std::string panel(const Report& report, const std::vector<const Result*>& points
     const std::size_t number = color.emplace(value, color.size()).first->second;
     const std::string paint = " lc rgb '" + std::string(colors[number % colors.size()]) + "'";
     const Blocks::Rows way = curve_of(*point);
+    drawn.insert(drawn.end(), way.begin(), way.end());
+    const std::pair end(point->summary.seconds(), point->summary.relative_mse.mean);
+    drawn.push_back(end);
     if (way.size() > 1) plot(blocks.add(way) + " using 1:2 with lines" + paint + " lw 1.2 notitle");
-    plot(blocks.add({{point->summary.seconds(), point->summary.relative_mse.mean}}) +
-         " using 1:2 with points pt " + (point->pareto ? "7" : "6") + " ps 0.9" + paint +
-         (first ? " title " + quoted(report.axes[axis].name + " = " + value) : " notitle"));
+    const Blocks::Rows best = front_of({point});
+    if (!best.empty()) plot(blocks.add(best) + " using 1:2 with points pt 7 ps 0.9" + paint + " notitle");
+    if (std::find(best.begin(), best.end(), end) == best.end())
+      plot(blocks.add({end}) + " using 1:2 with points pt 6 ps 0.9" + paint + " notitle");
+    if (first)
+      plot("NaN with points pt 7 ps 0.9" + paint + " title " +
+           quoted(report.axes[axis].name + " = " + value));
   }
   std::vector<const Result*> named;
   for (const Result* point : points)
-    if (point->pareto && drawable(point->summary) && (all || shows(report, point->point, axis)))
+    if (point->pareto() && drawable(point->front.back()) && (all || shows(report, point->point, axis)))
       named.push_back(point);
-  for (const auto& [place, name] : labels_of(report, named))
-    plot(blocks.add({place}, name) +
-         " using 1:2:3 with labels right offset -0.8,-0.6 font ',8' tc rgb '#555555' notitle");
+  // Below and to the left of the front there is no other point. Lines of a text are spread around its place.
+  for (const auto& [place, name] : labels_of(report, named)) {
+    const double down = 0.6 + 0.5 * static_cast<double>(std::count(name.begin(), name.end(), '\n'));
+    plot(blocks.add({place}, name) + " using 1:2:3 with labels right offset -0.8,-" + number_text(down) +
+         " font ',8' tc rgb '#555555' notitle");
+  }
   if (plots.empty()) return "";
-  return "set title " + quoted(title) + "\n" + plots + "\n";
+  std::string marks;
+  for (const auto& [name, axis_of] : {std::pair("xtics", &Blocks::Rows::value_type::first),
+                                      std::pair("ytics", &Blocks::Rows::value_type::second)}) {
+    const std::string close = close_marks(drawn, axis_of);
+    marks += std::string("set ") + name + ' ' + (close.empty() ? "autofreq" : close) + '\n';
+  }
+  return "set title " + quoted(title) + "\n" + marks + plots + "\n";
 }
 
 std::string clock_name(const Report& report) {
@@ -186,9 +235,9 @@ void write_plot(const Report& report, const std::string& title, const std::files
                  : "set terminal pngcairo noenhanced font 'sans,11' size ")
          << size << "\nset output " << quoted(output.path().string()) << '\n'
          << blocks.text()
-         << "set logscale xy\nset format xy '%.0e'\nset autoscale noextend\nset grid lc rgb '#dddddd'\n"
+         << "set logscale xy\nset format xy '%g'\nset autoscale noextend\nset grid lc rgb '#dddddd'\n"
          << "set xlabel 'seconds per picture (" << clock_name(report) << ")'\n"
-         << "set ylabel 'relative MSE'\nset key bottom left font ',9'\nset offsets graph 0.05, graph 0.3, "
+         << "set ylabel 'relative MSE'\nset key bottom left font ',9'\nset offsets graph 0.3, graph 0.05, "
             "graph 0.08, graph 0.08\n"
          << "set multiplot layout " << rows << ',' << columns << " title " << quoted(title) << '\n'
          << panels << "unset multiplot\n";

@@ -57,10 +57,17 @@ void find_pareto_fronts(Report& report) {
   std::map<std::string, std::vector<Result*>> cases;
   for (Result& result : report.results) cases[case_label(report.axes, result.point)].push_back(&result);
   for (const auto& [name, results] : cases) {
-    std::vector<Summary> summaries;
-    for (const Result* result : results) summaries.push_back(result->summary);
-    const std::vector<bool> front = pareto_front(summaries);
-    for (std::size_t i = 0; i < results.size(); ++i) results[i]->pareto = front[i];
+    std::vector<std::vector<Summary>> curves;
+    for (const Result* result : results) {
+      curves.push_back(result->curve);
+      for (Summary& stage : curves.back()) stage.milliseconds = result->summary.milliseconds;
+    }
+    const std::vector<std::vector<bool>> front = pareto_front(curves);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      results[i]->front.clear();
+      for (std::size_t stage = 0; stage < curves[i].size(); ++stage)
+        if (front[i][stage]) results[i]->front.push_back(curves[i][stage]);
+    }
   }
 }
 
@@ -90,7 +97,7 @@ void write_csv(const Report& report, const std::filesystem::path& file) {
       text += ',' + number_text(known ? s.targets[i].seconds : unknown) +
               (known && s.targets[i].extrapolated ? ",yes" : ",no");
     }
-    text += std::string(result.pareto ? ",yes," : ",no,") +
+    text += std::string(result.pareto() ? ",yes," : ",no,") +
             csv_cell(result.failed.empty() ? "ok" : result.failed) + '\n';
   }
   write_file(file, text);
@@ -132,7 +139,7 @@ nlohmann::json to_json(const Report& report) {
            {"efficiency", json_number(s.efficiency)},
            {"time_to_target", targets},
            {"convergence", stages},
-           {"pareto", result.pareto}});
+           {"pareto", result.pareto()}});
     }
     points.push_back(point);
   }
@@ -150,6 +157,7 @@ std::string table(const Report& report) {
   head.emplace_back("NaN/Inf");
   rows.push_back(head);
   bool extrapolated = false;
+  bool curves = false;
   std::string failures;
   for (const Result& result : report.results) {
     const std::string name = label(report.axes, result.point, report.base);
@@ -158,8 +166,9 @@ std::string table(const Report& report) {
       failures += (name.empty() ? "" : name + ": ") + result.failed + '\n';
       continue;
     }
+    curves = curves || result.curve.size() > 1;
     const double spread = 50.0 * (s.milliseconds_high - s.milliseconds_low) / s.milliseconds;
-    std::vector<std::string> row = {(result.pareto ? "* " : "  ") + (name.empty() ? "as it is" : name),
+    std::vector<std::string> row = {(result.pareto() ? "* " : "  ") + (name.empty() ? "as it is" : name),
                                     short_number(s.milliseconds),
                                     std::isnan(spread) ? "-" : std::to_string(std::lround(spread)) + " %"};
     if (report.has_reference) {
@@ -177,7 +186,8 @@ std::string table(const Report& report) {
   }
   std::string text = rows.size() > 1 ? aligned(rows) : "";
   if (report.has_reference && rows.size() > 1)
-    text += "* no other one is both faster and closer to the reference";
+    text += std::string("* no other one is both faster and closer to the reference") +
+            (curves ? ", after some number of frames" : "");
   if (extrapolated) text += "; ~ extrapolated by the slope";
   if (report.has_reference && rows.size() > 1) text += '\n';
   return text + failures;

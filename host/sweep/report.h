@@ -15,8 +15,10 @@ struct Result {
   Point point;
   std::string failed;  // why it could not be played; else empty
   Summary summary;
-  std::vector<Summary> curve;  // by frames, where the picture was measured on its way
-  bool pareto = false;         // of its case
+  std::vector<Summary> curve;       // by frames, where the picture was measured on its way
+  std::vector<Summary> front = {};  // what of the curve is on the Pareto front of its case
+
+  bool pareto() const { return !front.empty(); }
 };
 
 struct Report {
@@ -27,7 +29,7 @@ struct Report {
   bool has_reference = false;
 };
 
-// Fills in Result::pareto.
+// Fills in Result::front.
 void find_pareto_fronts(Report& report);
 
 // One line a point: the axes, then what Summary holds. Throws Error(file).

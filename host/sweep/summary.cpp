@@ -60,7 +60,7 @@ Summary means(const Runs& runs) {
   s.relative_bias2 = estimate(known(runs, [](const Measurement& m) { return m.relative_bias2; }));
   s.relative_variance = estimate(known(runs, [](const Measurement& m) { return m.relative_variance; }));
   s.flip = estimate(known(runs, [](const Measurement& m) { return m.flip; }));
-  s.efficiency = 1.0 / (s.relative_mse.mean * s.seconds());
+  if (s.relative_mse.mean > 0.0) s.efficiency = 1.0 / (s.relative_mse.mean * s.seconds());
   return s;
 }
 
@@ -105,7 +105,9 @@ TimeToTarget time_to(double target, const std::vector<Summary>& stages, double s
   const Estimate& b = last.relative_bias2;
   const double bias2 = b.mean > 0.0 && !(b.mean < 2.0 * b.error) ? b.mean : 0.0;
   result.extrapolated = true;
-  if (bias2 >= target)
+  if (bias2 >= target && std::isnan(b.error))
+    result.seconds = unknown;  // of one run, nothing tells a bias from noise
+  else if (bias2 >= target)
     result.seconds = std::numeric_limits<double>::infinity();
   else if (slope < 0.0)
     result.seconds = seconds(last.frames * std::pow((target - bias2) / noise(last), 1.0 / slope), last);
@@ -131,16 +133,23 @@ Summary summarise(const Runs& runs, const std::vector<double>& targets) {
   return summary;
 }
 
-std::vector<bool> pareto_front(const std::vector<Summary>& points) {
-  std::vector<bool> front;
-  for (const Summary& point : points)
-    front.push_back(!std::isnan(point.seconds()) && !std::isnan(point.relative_mse.mean) &&
-                    std::none_of(points.begin(), points.end(), [&](const Summary& other) {
-                      const bool no_worse = other.seconds() <= point.seconds() &&
-                                            other.relative_mse.mean <= point.relative_mse.mean;
-                      return no_worse && (other.seconds() < point.seconds() ||
-                                          other.relative_mse.mean < point.relative_mse.mean);
-                    }));
+std::vector<std::vector<bool>> pareto_front(const std::vector<std::vector<Summary>>& curves) {
+  const auto sound = [](const Summary& s) {
+    return !std::isnan(s.seconds()) && !std::isnan(s.relative_mse.mean) && s.nan + s.infinite == 0;
+  };
+  const auto beats = [&](const Summary& a, const Summary& b) {
+    return sound(a) && a.seconds() <= b.seconds() && a.relative_mse.mean <= b.relative_mse.mean &&
+           (a.seconds() < b.seconds() || a.relative_mse.mean < b.relative_mse.mean);
+  };
+  std::vector<std::vector<bool>> front;
+  for (const std::vector<Summary>& own : curves) {
+    front.emplace_back();
+    for (const Summary& stage : own)
+      front.back().push_back(
+          sound(stage) && std::none_of(curves.begin(), curves.end(), [&](const std::vector<Summary>& all) {
+            return std::any_of(all.begin(), all.end(), [&](const Summary& s) { return beats(s, stage); });
+          }));
+  }
   return front;
 }
 

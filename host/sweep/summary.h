@@ -38,7 +38,7 @@ struct Summary {
   // Exponent with which the noise falls with the frames: -1 for independent samples. Fitted to the variance,
   // or to the error where there is no variance, from the fourth frame on.
   double slope = unknown;
-  double efficiency = unknown;  // 1 / (relative MSE x seconds)
+  double efficiency = unknown;  // 1 / (relative MSE x seconds), of a picture that isn't exact
   std::vector<TimeToTarget> targets;
 
   // Of the whole picture.
@@ -51,8 +51,9 @@ Summary summarise(const std::vector<Measurement>& runs, const std::vector<double
 // Means over the runs for each number of frames, least first.
 std::vector<Summary> curve(const std::vector<Measurement>& runs);
 
-// For each point whether no other one is both faster and closer to the reference. Points without both figures
-// are not.
-std::vector<bool> pareto_front(const std::vector<Summary>& points);
+// For each stage of each point's curve whether nothing that was measured is both faster and closer to the
+// reference. Stages without both figures are not, nor are those with NaN or infinity, whose error is that of
+// the other pixels.
+std::vector<std::vector<bool>> pareto_front(const std::vector<std::vector<Summary>>& curves);
 
 }  // namespace shadertwin::sweep

@@ -58,8 +58,12 @@ int Places::of_operation(const TIntermTyped& left, const TIntermTyped& right) {
   // The operator stands in front of the right operand and its parentheses.
   int sign = to.first - 1;
   while (sign > 0 && opens(tree_.tokens()[static_cast<std::size_t>(sign)].text)) --sign;
-  return add(tree_.line_of_token(sign),
-             text_of(whole({std::min(from.first, to.first), std::max(from.last, to.last)})));
+  Range range = whole({std::min(from.first, to.first), std::max(from.last, to.last)});
+  // A folded product has its first token only.
+  const std::string& name = text_at(tree_.tokens(), sign);
+  if (const_cast<TIntermTyped&>(right).getAsConstantUnion() != nullptr && (name == "+" || name == "-"))
+    range = with_factors(range);
+  return add(tree_.line_of_token(sign), text_of(range));
 }
 
 int Places::of_call(const TIntermTyped& call) {
@@ -111,6 +115,18 @@ Places::Range Places::whole(Range range) const {
   if (opens(at(range.first)) && range.first > 0 && is_called(at(range.first - 1))) --range.first;
   for (int open = depth - lowest; open > 0 && range.last + 1 < count;) open += step(++range.last);
   while (at(range.last + 1) == "." && is_identifier(at(range.last + 2))) range.last += 2;
+  return range;
+}
+
+// With the factors and divisors that follow.
+Places::Range Places::with_factors(Range range) const {
+  const std::vector<PlainToken>& tokens = tree_.tokens();
+  const auto at = [&](int i) -> const std::string& { return text_at(tokens, i); };
+  while (at(range.last + 1) == "*" || at(range.last + 1) == "/") {
+    int factor = range.last + 2;
+    while (at(factor) == "-" || at(factor) == "+") ++factor;
+    range.last = whole({factor, factor}).last;
+  }
   return range;
 }
 

@@ -32,6 +32,7 @@ class Places {
   Range range_of(const TIntermNode& node) const;
   Range called(Range range) const;
   Range whole(Range range) const;
+  Range with_factors(Range range) const;
   std::string text_of(Range range) const;
   int add(SourceLine at, const std::string& text);
 

@@ -39,6 +39,14 @@ TEST_F(AccuracyCommand, SaysWhatIsLostWhereAndHowMuchReachesThePicture) {
       "32 pixels, the worst at pixel 7,0 in frame 0\n");
 }
 
+TEST_F(AccuracyCommand, NamesAProductOfConstantsWhole) {
+  const std::string text =
+      "float x = 3000.1 + p.x * 1e-4; c = vec4(x * x - 3000.1 * (1500.05 * 2.0) / 1.0 - x);";
+  const Outcome outcome = judge(text, "--all");
+  EXPECT_NE(outcome.out.find(" in x * x - 3000.1 * (1500.05 * 2.0) / 1.0 ("), std::string::npos)
+      << outcome.out;
+}
+
 TEST_F(AccuracyCommand, IsSilentAboutOrdinaryRounding) {
   const Outcome outcome = judge("c = vec4(sin(p.x * 0.37) / 3.0, length(p) * 0.1, sqrt(p.y) - 0.7, 1.0);");
   EXPECT_EQ(outcome.status, 0) << outcome.err;

@@ -163,6 +163,14 @@ TEST_F(BadInput, OutputPlaces) {
     EXPECT_FALSE(entry.path().filename().string().starts_with(".a")) << entry.path();
 }
 
+TEST_F(BadInput, AFullDiskBehindStandardOutput) {
+  for (const std::string command : {"sweep ok.glsl --on cpu --size 8x8 --runs 1", "sweep --help"}) {
+    const Outcome outcome = run(folder, command + " >/dev/full 2>err; echo $?");
+    EXPECT_EQ(outcome.out, "4\n") << command;
+    EXPECT_EQ(contents(folder / "err"), "shadertwin: standard output: can't be written\n") << command;
+  }
+}
+
 TEST_F(BadInput, NoOpenGlAtAll) {
   // Libraries of those names that are no libraries, found first.
   folder.write("broken/libEGL.so.1", "nothing");

@@ -137,9 +137,27 @@ TEST_F(Sweep, TakesAPictureForTheTruth) {
                                                                                           ["relative_mse"]
                                                                                           ["mean"],
       1e-12);
-  sweep("series.glsl -D TERMS=12 --reference truth.exr --size 16x4 --on cpu --runs 1", 1);
-  EXPECT_NE(outcome.err.find("the reference has 32x4 pixels, this picture 16x4"), std::string::npos)
-      << outcome.err;
+}
+
+TEST_F(Sweep, RefusesAPictureOfAnotherSizeOnce) {
+  ASSERT_EQ(run(folder, "render series.glsl --size 32x4 --on cpu -o truth.exr").status, 0);
+  sweep("series.glsl -D TERMS=2,12 --reference truth.exr --size 16x4 --on cpu --runs 1 -o a.csv", 4);
+  EXPECT_EQ(outcome.err, "shadertwin: truth.exr: has 32x4 pixels, the picture 16x4\n");
+  EXPECT_FALSE(fs::exists(folder / "a.csv"));
+}
+
+TEST_F(Sweep, SaysThatTheReferenceFails) {
+  sweep("series.glsl -D TERMS=1,2 --reference TERMS=3 --size 8x2 --on cpu --runs 1", 1);
+  EXPECT_NE(outcome.err.find("TERMS=1: the reference: series.glsl:"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("no point could be played"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Sweep, SeesAnErrorDirectiveInAPoint) {
+  std::ofstream(folder / "refuses.glsl") << "#ifndef M\n#define M 0\n#endif\n#if M == 1\n#error one\n#endif\n"
+                                            "void mainImage(out vec4 c, vec2 p) { c = vec4(0.5); }\n";
+  const auto points = sweep("refuses.glsl -D M=0,1 --size 8x2 --on cpu --runs 1", 1)["points"];
+  EXPECT_EQ(points[0]["status"], "ok");
+  EXPECT_EQ(points[1]["status"], "refuses.glsl:5: error: #error one");
 }
 
 TEST_F(Sweep, GoesOnPastPointsThatFailAndCountsNaN) {
@@ -150,6 +168,16 @@ TEST_F(Sweep, GoesOnPastPointsThatFailAndCountsNaN) {
   EXPECT_EQ(points[1]["status"], "ok");
   EXPECT_NE(points[2]["status"].get<std::string>().find("undeclared"), std::string::npos);
   EXPECT_NE(outcome.err.find("1 of 3 points could not be played"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Sweep, KeepsPicturesWithNaNOffTheFrontAndWarnsOfThemInTheReference) {
+  const auto points =
+      sweep("series.glsl -D TERMS=1,2 --reference TERMS=1 --size 8x2 --on cpu --runs 1")["points"];
+  EXPECT_EQ(points[0]["relative_mse"]["mean"], 0.0);
+  EXPECT_EQ(points[0]["pareto"], false);
+  EXPECT_EQ(points[1]["pareto"], true);
+  EXPECT_NE(outcome.err.find("the reference has 6 values that are NaN or infinite"), std::string::npos)
+      << outcome.err;
 }
 
 TEST_F(Sweep, GoesOnFromItsLog) {
@@ -212,6 +240,8 @@ TEST_F(Sweep, RefusesWhatMeansNothing) {
       {"-D TERMS=1,2 --reference-frames 9 --max-frames 9", "--target"},
       {"-D TERMS=1,2 --plot a.png", "needs a --reference"},
       {"-D TERMS=1,2 --reference TERMS=9 --plot a.jpg", ".svg or a .png"},
+      {"-D TERMS=1,2 -o a.json", "-o a.json: the table of points is a .csv"},
+      {"-D TERMS=1,2 --runs 0", "--runs 0: expected a number of runs"},
       {"--on nowhere", "nowhere"},
       {"--init maybe", "expected zero or raw"},
       {"--size 8", "WIDTHxHEIGHT"}};

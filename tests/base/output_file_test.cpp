@@ -1,6 +1,7 @@
 #include "host/base/output_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -90,6 +91,15 @@ TEST(OutputFile, RefusesAMissingFolderAFolderAndAFileAsFolder) {
   expect_file_error(folder / "a.png");
   write_text(folder / "file", "");
   expect_file_error(folder / "file/a.png");
+}
+
+TEST(OutputFile, LeavesDevicesAndPipesInTheirPlace) {
+  const ScratchFolder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe.png").c_str(), 0600), 0);
+  expect_file_error(folder / "pipe.png");
+  expect_file_error("/dev/null");
+  fs::create_symlink("/dev/null", folder / "null.png");
+  expect_file_error(folder / "null.png");
 }
 
 TEST(OutputFile, RefusesAFolderThatCannotBeWritten) {

@@ -1,15 +1,18 @@
-// The mean of many frames, and sRGB both ways.
+// The mean of many frames, tone curves, and sRGB both ways.
 #include <cmath>
 #include <limits>
 
 #include "tests/shadertoy/bar.h"
 #include "tests/shadertoy/random.h"
+#include "tests/shadertoy/shapes.h"
 
 namespace shadertwin::display_test {
 namespace {
 
 class Accumulate : public OnEveryBackend {};
 SHADERTWIN_IN_DOUBLE_AT_NIGHT(Accumulate);
+class Tone : public OnEveryBackend {};
+SHADERTWIN_IN_DOUBLE_AT_NIGHT(Tone);
 class Srgb : public OnEveryBackend {};
 SHADERTWIN_IN_DOUBLE_AT_NIGHT(Srgb);
 
@@ -58,6 +61,68 @@ TEST_P(Srgb, EncodesTheUnitIntervalAndClampsTheRest) {
     const bool within = c >= 0.0 && c <= 1.0;
     if (within) bar.near(static_cast<double>(got.at(i, 0).y), encode(c), 1e-6, {{"linear", c}});
     clamped.near(static_cast<double>(got.at(i, 0).w), encode(std::clamp(c, 0.0, 1.0)), 1e-6, {{"linear", c}});
+  }
+}
+
+// Khronos 2024, "PBR Neutral Tone Mapper", as its specification has it.
+glm::dvec3 neutral(glm::dvec3 c) {
+  constexpr double start = 0.8 - 0.04;
+  const double least = std::min({c.r, c.g, c.b});
+  c -= least < 0.08 ? least - 6.25 * least * least : 0.04;
+  const double peak = std::max({c.r, c.g, c.b});
+  if (peak < start) return c;
+  const double bent = 1.0 - (1.0 - start) * (1.0 - start) / (peak + 1.0 - 2.0 * start);
+  return glm::mix(c * (bent / peak), glm::dvec3(bent), 1.0 - 1.0 / (0.15 * (peak - bent) + 1.0));
+}
+
+// Reinhard et al. 2002, on luminance.
+glm::dvec3 reinhard(glm::dvec3 c) {
+  return c / (1.0 + glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722)));
+}
+
+// Narkowicz 2016, with his exposure of 0.6.
+glm::dvec3 aces(glm::dvec3 light) {
+  const glm::dvec3 c = 0.6 * light;
+  return (c * (2.51 * c + 0.03)) / (c * (2.43 * c + 0.59) + 0.14);
+}
+
+TEST_P(Tone, CurvesAreThoseOfTheirPapers) {
+  constexpr std::size_t count = std::size_t{1} << 18;
+  Random random(82);
+  Table inputs(count, 1);
+  for (std::size_t i = 0; i < count; ++i)
+    inputs.at(i, 0) = texel({random.log_uniform(1e-4, 1e4), random.log_uniform(1e-2, 10), random.uniform()});
+  struct Curve {
+    const char* number;
+    glm::dvec3 (*expected)(glm::dvec3);
+  };
+  const Curve all[] = {{"0", [](glm::dvec3 c) { return c; }}, {"1", reinhard}, {"2", aces}, {"3", neutral}};
+  for (const auto& [number, expected] : all) {
+    const Table got = run({.file = "tone.glsl", .outputs = 2, .defines = {{"TONE_CURVE", number}}}, inputs);
+    Bar bar("tone curve " + std::string(number));
+    for (std::size_t i = 0; i < count; ++i) {
+      const glm::dvec3 light(inputs.at(i, 0));
+      const glm::dvec3 right = expected(light);
+      for (int j = 0; j < 3; ++j)
+        bar.near(got.at(i, 0)[j], right[j], 2e-6 * (1.0 + right[j]), {{"light", light[j]}, {"case", i}});
+    }
+  }
+}
+
+TEST_P(Tone, ScreensAreSrgbOrGamma) {
+  constexpr std::size_t count = 4096;
+  Table inputs(count, 1);
+  for (std::size_t i = 0; i < count; ++i)
+    inputs.at(i, 0) = glm::vec4(static_cast<float>(i) / (count / 1.5F) - 0.25F);
+  for (const char* encoding : {"0", "1"}) {
+    const Table got =
+        run({.file = "tone.glsl", .outputs = 2, .defines = {{"DISPLAY_ENCODING", encoding}}}, inputs);
+    Bar bar("screen's encoding " + std::string(encoding));
+    for (std::size_t i = 0; i < count; ++i) {
+      const double c = std::clamp(static_cast<double>(inputs.at(i, 0).x), 0.0, 1.0);
+      bar.near(got.at(i, 1).y, encoding[0] == '0' ? encode(c) : std::pow(c, 1.0 / 2.2), 2e-6,
+               {{"linear", inputs.at(i, 0).x}});
+    }
   }
 }
 

@@ -95,5 +95,34 @@ TEST_P(Shadows, MovingThingsShadowWhereTheyAreAtTheRaysTime) {
   EXPECT_LE(differ, 1e-4 * count);
 }
 
+// A ceiling keeps all light from the floor, however close below the light it is, and none from above it.
+TEST_P(Shadows, ReachUpToTheLight) {
+  constexpr std::size_t count = 1024;
+  Random random(123);
+  Table inputs(count, 2);
+  for (std::size_t i = 0; i < count; ++i) {
+    inputs.at(i, 0) = texel({random.uniform(-3, 3), 0.25, random.uniform(-3, 3)}, static_cast<double>(i));
+    inputs.at(i, 1) = texel({0, -1, 0});
+  }
+  Bar dark("floors under a ceiling, light");
+  Bar lit("floors under a light below the ceiling, no light");
+  for (const char* ceiling : {"0.5", "0.9", "0.99", "0.9999", "1.0001"}) {
+    // A twin takes seconds to compile.
+    if (GetParam() != backends().front().name && std::string(ceiling).size() < 6) continue;
+    const Table got = run({.file = "paths.glsl",
+                           .inputs = 2,
+                           .outputs = 3,
+                           .defines = {{"ROOM", "0"}, {"CEILING", ceiling}, {"SAMPLES", "16"}}},
+                          inputs);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Bar::Inputs where = {{"case", i}, {"ceiling", std::stod(ceiling)}};
+      if (ceiling[0] == '0')
+        dark.near(got.at(i, 2).x, 0.0, 0.0, where);
+      else
+        lit.holds(got.at(i, 0).x > 0.0F, got.at(i, 0).x, 1.0, where);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace shadertwin::light_test

@@ -155,6 +155,35 @@ TEST_P(Microfacets, TintedMetalsKeepTheirColourAndStayWithinOne) {
     }
 }
 
+// Of Gulbrandsen's index, as his paper has it: n between (1 - r) / (1 + r), where the tint is 1, and
+// (1 + sqrt r) / (1 - sqrt r). Where metals hardly absorb or reflect nearly all, n and k cancel.
+TEST_P(Microfacets, TintedMetalsReflectAsTheIndexOfTheirTintSays) {
+  Random random(94);
+  Table inputs(million, 2);
+  for (std::size_t i = 0; i < million; ++i) {
+    inputs.at(i, 0) = texel({random.uniform(0.05, 0.9), random.uniform(0.05, 0.9), random.uniform(0.05, 0.9)},
+                            random.uniform());
+    inputs.at(i, 1) = texel({random.uniform(), random.uniform(), random.uniform()});
+  }
+  const Table got = run(metals, inputs);
+  Bar bar("F_Gulbrandsen, absolute error");
+  std::size_t judged = 0;
+  for (std::size_t i = 0; i < million; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const double r = inputs.at(i, 0)[j];
+      const double tint = inputs.at(i, 1)[j];
+      const double c = inputs.at(i, 0).w;
+      const double eta =
+          tint * (1.0 - r) / (1.0 + r) + (1.0 - tint) * (1.0 + std::sqrt(r)) / (1.0 - std::sqrt(r));
+      const double k2 = (r * (eta + 1.0) * (eta + 1.0) - (eta - 1.0) * (eta - 1.0)) / (1.0 - r);
+      if (k2 < 0.25) continue;
+      ++judged;
+      bar.near(got.at(i, 1)[j], complex_reflectance(c, eta, std::sqrt(k2)), 1e-5,
+               {{"F0", r}, {"edge", tint}, {"cosine", c}});
+    }
+  EXPECT_GT(judged, million);
+}
+
 TEST_P(Microfacets, SampledNormalsAreOfUnitLengthAndFinite) {
   Random random(95);
   Table inputs(million, 2);

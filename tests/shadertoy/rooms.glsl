@@ -1,5 +1,6 @@
-// Rooms whose light is known in closed form. Read twice, like every scene. ROOM: 0 a floor under a light, nothing
-// else. 1 a closed box whose walls shine and reflect. 2 a hollow ball with a point light in its middle. 3 one ball in
+// Rooms whose light is known in closed form. Read twice, like every scene. ROOM: 0 a floor under a light, and a
+// ceiling at the height CEILING, if it has one. 1 a closed box whose walls shine and reflect. 2 a hollow ball with point lights in its middle, all
+// together of intensity pi. 3 one ball in
 // white light. 4 the left half of the view, shining.
 
 #ifndef COMMON_GLSL
@@ -29,7 +30,11 @@
 #define SCENE_BACKGROUND 3
 #if ROOM == 0
 #define HAS_QUAD_LIGHTS
+#ifdef CEILING
+#define QUADS 3
+#else
 #define QUADS 2
+#endif
 #define SPHERES 0
 #define POINT_LIGHTS 0
 #define QUAD_LIGHTS 1
@@ -42,7 +47,9 @@
 #define HAS_POINT_LIGHTS
 #define QUADS 0
 #define SPHERES 1
+#ifndef POINT_LIGHTS
 #define POINT_LIGHTS 1
+#endif
 #define QUAD_LIGHTS 0
 #elif ROOM == 3
 #define HAS_METAL
@@ -75,8 +82,11 @@
 #else
 
 #if ROOM == 0
-const vec3 QUAD[6] = vec3[6](
+const vec3 QUAD[3 * QUADS] = vec3[3 * QUADS](
     vec3(-1000.0, 0.0, 1000.0), vec3(2000.0, 0.0, 0.0), vec3(0.0, 0.0, -2000.0),
+#ifdef CEILING
+    vec3(-1000.0, CEILING, 1000.0), vec3(2000.0, 0.0, 0.0), vec3(0.0, 0.0, -2000.0),
+#endif
     vec3(-0.5 * LIGHT_SIZE.x, LIGHT_HEIGHT, -0.5 * LIGHT_SIZE.y), vec3(LIGHT_SIZE.x, 0.0, 0.0), vec3(0.0, 0.0, LIGHT_SIZE.y));
 #elif ROOM == 1
 const vec3 QUAD[18] = vec3[18](
@@ -95,7 +105,7 @@ const vec4 SPHERE[1] = vec4[1](vec4(0.0, 0.0, 0.0, BALL_RADIUS));
 Material scene_material(int primitive, vec3 pos)
 {
 #if ROOM == 0
-    return primitive == 1 ? createLightMaterial(vec3(RADIANCE)) : createDiffuseMaterial(vec3(ALBEDO));
+    return primitive == QUADS - 1 ? createLightMaterial(vec3(RADIANCE)) : createDiffuseMaterial(vec3(ALBEDO));
 #elif ROOM == 3
     return BALL_MATERIAL;
 #else
@@ -110,7 +120,9 @@ Material scene_material(int primitive, vec3 pos)
 #if ROOM == 2
 PointLight scene_pointLight(int i)
 {
-    return createPointLight(vec3(0.0), vec3(1.0), PI);
+    // The first is the weakest.
+    float share = float(i + 1) / float(POINT_LIGHTS * (POINT_LIGHTS + 1) / 2);
+    return createPointLight(vec3(0.0), vec3(1.0), PI * share);
 }
 #endif
 

@@ -115,6 +115,22 @@ TEST_P(RayColor, APointLightInAHollowBallFallsWithTheSquareOfItsRadius) {
   }
 }
 
+// One of several lights, weighed by how seldom it is picked, gives what all of them give.
+TEST_P(RayColor, APickedPointLightStandsForAll) {
+  for (const char* pick : {"0", "1"}) {
+    const Outcome outcome = look(RUN, from_inside(137, 256, 64), 0,
+                                 {{"ROOM", "2"},
+                                  {"POINT_LIGHTS", "3"},
+                                  {"POINT_LIGHT_PICK", pick},
+                                  {"SAMPLES", "16"},
+                                  {"ALBEDO", "0.5"},
+                                  {"MAX_BOUNCES", "48"},
+                                  {"RR_START", "1000"}});
+    expect_mean("three point lights in a hollow ball, POINT_LIGHT_PICK=" + std::string(pick),
+                all(outcome.means), 1.0, 1e-5);
+  }
+}
+
 TEST_P(RayColor, BallsThatKeepAllLightVanishInWhiteLight) {
   Random random = draw(135);
   Views views;

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <sstream>
 
@@ -60,6 +62,33 @@ TEST(RunLog, DropsALineThatBrokeOff) {
     EXPECT_FALSE(log.has("k", 1, 1)) << length;
     EXPECT_EQ(contents(folder / "a.runs.csv"), whole.substr(0, last)) << length;
   }
+}
+
+TEST(RunLog, TakesAHeaderThatBrokeOffForAnEmptyLog) {
+  const ScratchFolder folder;
+  { const RunLog log(folder / "a.runs.csv"); }
+  const std::string header = contents(folder / "a.runs.csv");
+  for (std::size_t length = 0; length <= header.size(); ++length) {
+    std::ofstream(folder / "a.runs.csv") << header.substr(0, length);
+    { const RunLog log(folder / "a.runs.csv"); }
+    EXPECT_EQ(contents(folder / "a.runs.csv"), header) << length;
+  }
+}
+
+TEST(RunLog, KeepsWhatItHeldWhenTheDiskIsFull) {
+  const ScratchFolder folder;
+  { RunLog(folder / "a.runs.csv").add({measurement("k", 0, 1, 0.5)}, ""); }
+  const std::string whole = contents(folder / "a.runs.csv");
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit full{.rlim_cur = whole.size() / 2, .rlim_max = before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &full), 0);
+  EXPECT_THROW(RunLog(folder / "a.runs.csv").add({measurement("k", 1, 1, 0.5)}, ""), Error);
+  EXPECT_THROW(RunLog(folder / "b.runs.csv").add({measurement("k", 1, 1, 0.5)}, ""), Error);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(contents(folder / "a.runs.csv"), whole);
 }
 
 TEST(RunLog, ReplacesARunThatBrokeOff) {

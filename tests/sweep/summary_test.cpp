@@ -70,7 +70,11 @@ TEST(TimeToTarget, IsExtrapolatedByTheSlopeOfTheNoise) {
 }
 
 TEST(TimeToTarget, IsNeverWhereTheBiasIsLarger) {
-  EXPECT_TRUE(std::isinf(summarise(runs(0.02, 6.4), {0.01}).targets[0].seconds));
+  EXPECT_TRUE(std::isinf(summarise(runs(0.02, 6.4, 2), {0.01}).targets[0].seconds));
+}
+
+TEST(TimeToTarget, IsUnknownWhereOneRunCannotTellABiasFromNoise) {
+  EXPECT_TRUE(std::isnan(summarise(runs(0.02, 6.4), {0.01}).targets[0].seconds));
 }
 
 TEST(Summary, OfNothingIsUnknown) {
@@ -87,10 +91,25 @@ Summary at(double milliseconds, double error) {
   return s;
 }
 
+using Front = std::vector<std::vector<bool>>;
+
 TEST(ParetoFront, HoldsWhatNothingBeats) {
-  const std::vector<bool> front =
-      pareto_front({at(1, 0.5), at(2, 0.2), at(2, 0.3), at(3, 0.2), at(4, 0.1), at(1, unknown)});
-  EXPECT_EQ(front, std::vector<bool>({true, true, false, false, true, false}));
+  const auto front =
+      pareto_front({{at(1, 0.5)}, {at(2, 0.2)}, {at(2, 0.3)}, {at(3, 0.2)}, {at(4, 0.1)}, {at(1, unknown)}});
+  EXPECT_EQ(front, Front({{true}, {true}, {false}, {false}, {true}, {false}}));
+}
+
+TEST(ParetoFront, HoldsNothingWithNaNOrInfinity) {
+  Summary nan = at(1, 0.0);
+  nan.nan = 1;
+  Summary infinite = at(1, 0.1);
+  infinite.infinite = 1;
+  EXPECT_EQ(pareto_front({{nan}, {infinite}, {at(2, 0.2)}}), Front({{false}, {false}, {true}}));
+}
+
+TEST(ParetoFront, ComparesPicturesThatTookAsLongNotAsManyFrames) {
+  EXPECT_EQ(pareto_front({{at(1, 0.5), at(2, 0.3), at(4, 0.2)}, {at(2, 0.1), at(4, 0.05)}, {at(5, 0.06)}}),
+            Front({{true, false, false}, {true, true}, {false}}));
 }
 
 Report report() {
@@ -98,11 +117,19 @@ Report report() {
            .results = {},
            .devices = {"llvmpipe"},
            .has_reference = true};
-  r.results.push_back(
-      {.point = {"8"}, .failed = "", .summary = summarise(runs(0.02, 6.4, 2), {0.01}), .curve = {}});
+  r.results.push_back({.point = {"8"},
+                       .failed = "",
+                       .summary = summarise(runs(0.02, 6.4, 2), {0.01}),
+                       .curve = curve(runs(0.02, 6.4, 2))});
   r.results.push_back({.point = {"16"}, .failed = "a.glsl:1: error: \"x\", no", .summary = {}, .curve = {}});
+  for (Summary& stage : r.results.front().curve) stage.nan = 0;
   find_pareto_fronts(r);
   return r;
+}
+
+TEST(Summary, OfAnExactPictureHasNoEfficiency) {
+  EXPECT_GT(summarise(runs(0.02, 6.4, 2), {}).efficiency, 0.0);
+  EXPECT_TRUE(std::isnan(summarise(runs(0.0, 0.0, 2), {}).efficiency));
 }
 
 TEST(Report, TableHasALineForEachPoint) {
