@@ -84,6 +84,12 @@ struct Settled {
   Loss slow = Loss::rounding;  // if it is not, and nor is that of any operation before
 };
 
+// Whether a float holds the exact number but for rounding.
+inline bool fits_float(const Shadow& x) {
+  return !(std::fabs(static_cast<double>(static_cast<float>(x.exact)) - x.exact) >
+           notable * std::fabs(x.exact));
+}
+
 template <int count>
 double worst_share(const Shadow (&operands)[count]) {
   double worst = 0.0;
@@ -95,7 +101,11 @@ template <int count>
 [[gnu::noinline]] Shadow settled(const Settled& how, const Shadow (&operands)[count], Shadow result) {
   const double error = error_of(result);
   if (!(share_of(error, result) > notable)) return result;
-  const double own = share_of(how.own, result);
+  double own = share_of(how.own, result);
+  // An operand that no float holds was lost where it was made.
+  if (how.origin != 0)
+    for (const Shadow& operand : operands)
+      if (!fits_float(operand)) own = 0.0;
   result.origin = how.origin;
   if (own > notable) {
     const std::uint32_t here = lost__(how.loss, operands, count, result, own);
@@ -131,7 +141,8 @@ inline double distance_of(const Shadow& x) {
 [[gnu::always_inline]] inline bool passes_on(double own, double of_a, double of_b, const Shadow& a,
                                              const Shadow& b, Shadow& result) {
   const double small = notable * magnitude_of_both(result);
-  if (!(own <= small) || !(of_a + of_b < std::numeric_limits<double>::infinity()) || telling__) return false;
+  if (!(own <= small) || !(small + of_a + of_b < std::numeric_limits<double>::infinity()) || telling__)
+    return false;
   if (distance_of(result) <= small) return true;
   const std::uint32_t origin = of_a >= of_b ? a.origin : b.origin;
   if (origin == 0) return false;
