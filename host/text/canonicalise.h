@@ -13,9 +13,8 @@ namespace shadertwin {
 //   functions named as built-ins of later versions (`fma`, `bitCount` ...) or of GLSL ES 1.00 (`texture2D`
 //   ...), get the prefix "shadertwin_", and so does what has it, for the host's own names begin with it;
 // - so do global variables and structures named as a built-in function, members called `length`, and
-// functions
-//   that overload those few built-ins which browsers leave open (`mix`, `texture` ...), or any in a text that
-//   was written for GLSL ES 1.00;
+//   functions that overload those few built-ins which browsers leave open (`mix`, `texture` ...), or any in a
+//   text that was written for GLSL ES 1.00;
 // - a function's parameter without a name gets one;
 // - `lowp`, `mediump`, `highp` and `precision` go: render() asks for highp, and declarations that differ in
 //   precision only are taken for different functions elsewhere;

@@ -205,9 +205,7 @@ class Operations : public glslang::TIntermTraverser {
 
   void rename_call(const TIntermAggregate& node, const std::string& name,
                    const std::vector<const TIntermTyped*>& parts) {
-    int token = tree_.token_of(node);
-    if (text(token) == ")") token = opening_bracket(tokens_, token) - 1;
-    if (text(token) == "(") --token;
+    const int token = name_of_call(tokens_, tree_.token_of(node));
     if (text(token) != name) return;
     edits_.instead[token] = "shadertwin_safe_" + name;
     define(name, type_name(node.getType()), types_of(parts));

@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "host/text/operands.h"
 #include "host/text/rewritten_lines.h"
@@ -51,16 +52,12 @@ class Hider : public glslang::TIntermTraverser {
   bool visitAggregate(glslang::TVisit, glslang::TIntermAggregate* node) override {
     const auto function = approximated().find(node->getOp());
     if (function == approximated().end()) return true;
-    int open = tree_.token_of(*node);
-    if (text(open) == ")") open = opening_bracket(tokens_, open);
-    if (text(open) != "(") ++open;
-    if (text(open - 1) != function->second) return true;
-    int first = open + 1;
-    for (const TIntermNode* argument : node->getSequence()) {
-      const int last = argument_around(tokens_, open, first).last;
-      if (argument->getAsTyped()->getAsConstantUnion() == nullptr) hide(first, last);
-      first = last + 2;  // behind the comma
-    }
+    const int name = name_of_call(tokens_, tree_.token_of(*node));
+    if (text(name) != function->second) return true;
+    const glslang::TIntermSequence& arguments = node->getSequence();
+    const std::vector<TokenRange> ranges = arguments_of(tokens_, name + 1, arguments.size());
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+      if (arguments[i]->getAsTyped()->getAsConstantUnion() == nullptr) hide(ranges[i].first, ranges[i].last);
     return true;
   }
 

@@ -35,19 +35,15 @@ class ArgumentFinder : public glslang::TIntermTraverser {
 
   bool visitAggregate(glslang::TVisit, glslang::TIntermAggregate* node) override {
     if (node->getOp() != glslang::EOpFunctionCall) return true;
-    int open = tree_.token_of(*node);
-    if (text_at(tokens_, open) == ")") open = opening_bracket(tokens_, open);
-    if (text_at(tokens_, open) != "(") ++open;
+    const int open = name_of_call(tokens_, tree_.token_of(*node)) + 1;
     if (text_at(tokens_, open) != "(") return true;
     const glslang::TQualifierList& qualifiers = node->getQualifierList();
-    int first = open + 1;
-    for (std::size_t i = 0; i < node->getSequence().size(); ++i) {
-      const TokenRange range = argument_around(tokens_, open, first);
-      first = range.last + 2;  // behind the comma
+    const std::vector<TokenRange> ranges = arguments_of(tokens_, open, node->getSequence().size());
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
       const bool comes_in =
           i < qualifiers.size() && qualifiers[i] != glslang::EvqOut && qualifiers[i] != glslang::EvqInOut;
       const glslang::TIntermTyped* argument = node->getSequence()[i]->getAsTyped();
-      if (comes_in && argument != nullptr && computes(*argument)) add(range, argument->getType());
+      if (comes_in && argument != nullptr && computes(*argument)) add(ranges[i], argument->getType());
     }
     return true;
   }

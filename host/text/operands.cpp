@@ -155,4 +155,19 @@ TokenRange argument_around(const std::vector<PlainToken>& tokens, int open, int 
   return {first, close - 1};
 }
 
+std::vector<TokenRange> arguments_of(const std::vector<PlainToken>& tokens, int open, std::size_t count) {
+  std::vector<TokenRange> arguments;
+  int first = open + 1;
+  while (arguments.size() < count) {
+    arguments.push_back(argument_around(tokens, open, first));
+    first = arguments.back().last + 2;  // behind the comma
+  }
+  return arguments;
+}
+
+int name_of_call(const std::vector<PlainToken>& tokens, int token) {
+  if (text_at(tokens, token) == ")") token = opening_bracket(tokens, token);
+  return text_at(tokens, token) == "(" ? token - 1 : token;
+}
+
 }  // namespace shadertwin

@@ -2,6 +2,7 @@
 // token of an operation, not those of its parts.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "host/text/plain_tokens.h"
@@ -30,5 +31,11 @@ TokenRange right_operand(const std::vector<PlainToken>& tokens, int operation);
 
 // The argument that token `inside` belongs to, of the call whose parenthesis opens at `open`.
 TokenRange argument_around(const std::vector<PlainToken>& tokens, int open, int inside);
+// The first `count` arguments of that call.
+std::vector<TokenRange> arguments_of(const std::vector<PlainToken>& tokens, int open, std::size_t count);
+
+// The name of a called function by the token that the tree has for the call: the name itself, or one of the
+// parentheses behind it.
+int name_of_call(const std::vector<PlainToken>& tokens, int token);
 
 }  // namespace shadertwin
