@@ -56,6 +56,13 @@ KeyStep read_key(const std::string& text) {
   return step;
 }
 
+int read_count(const std::string& text, const char* of) {
+  int count = 0;
+  if (!read_number(text, count) || count < 1)
+    fail(std::string("expected a number of ") + of + ", at least one");
+  return count;
+}
+
 }  // namespace
 
 glm::ivec2 read_size(const std::string& text) {
@@ -87,15 +94,11 @@ Region read_region(const std::string& text) {
 }
 
 int read_frames(const std::string& text) {
-  int frames = 0;
-  if (!read_number(text, frames) || frames < 1) fail("expected a number of frames, at least one");
-  return frames;
+  return read_count(text, "frames");
 }
 
 int read_runs(const std::string& text) {
-  int runs = 0;
-  if (!read_number(text, runs) || runs < 1) fail("expected a number of runs, at least one");
-  return runs;
+  return read_count(text, "runs");
 }
 
 double read_rate(const std::string& text) {
