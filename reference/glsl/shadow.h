@@ -58,9 +58,20 @@ inline double larger_of(double a, double b) {
   return a > b ? a : b;
 }
 
+inline double distance_of(float value, double exact) {
+  return std::fabs(static_cast<double>(value) - exact);
+}
+inline double distance_of(const Shadow& x) {
+  return distance_of(x.value, x.exact);
+}
+// The absolute value of the half that is farther from 0.
+inline double larger_half_of(const Shadow& x) {
+  return larger_of(std::fabs(static_cast<double>(x.value)), std::fabs(x.exact));
+}
+
 // How far the float is from the exact number: 0 for two NaNs, infinite if just one is.
 inline double error_of(float value, double exact) {
-  const double error = std::fabs(static_cast<double>(value) - exact);
+  const double error = distance_of(value, exact);
   if (error == error) return error;
   return value == exact || (value != value && exact != exact) ? 0.0 : std::numeric_limits<double>::infinity();
 }
@@ -71,7 +82,7 @@ inline double error_of(const Shadow& x) {
 // Part of a result, at most all of it; infinite where one of the two is no number.
 inline double share_of(double error, const Shadow& result) {
   if (error == 0.0 || error == std::numeric_limits<double>::infinity()) return error;
-  const double size = larger_of(std::fabs(static_cast<double>(result.value)), std::fabs(result.exact));
+  const double size = larger_half_of(result);
   return error < size ? error / size : 1.0;
 }
 
@@ -86,8 +97,7 @@ struct Settled {
 
 // Whether a float holds the exact number but for rounding.
 inline bool fits_float(const Shadow& x) {
-  return !(std::fabs(static_cast<double>(static_cast<float>(x.exact)) - x.exact) >
-           notable * std::fabs(x.exact));
+  return !(distance_of(static_cast<float>(x.exact), x.exact) > notable * std::fabs(x.exact));
 }
 
 template <int count>
@@ -123,24 +133,17 @@ template <int count>
 // The usual case: an error of a few roundings. What has an origin loses it here: if such an error is
 // magnified later, that is where digits go.
 [[gnu::always_inline]] inline bool is_plain(const Shadow& result) {
-  return std::fabs(static_cast<double>(result.value) - result.exact) <= std::fabs(result.exact) * notable;
+  return distance_of(result) <= std::fabs(result.exact) * notable;
 }
 
 // --- Arithmetic -------------------------------------------------------------
-
-inline double magnitude_of_both(const Shadow& x) {
-  return larger_of(std::fabs(static_cast<double>(x.value)), std::fabs(x.exact));
-}
-inline double distance_of(const Shadow& x) {
-  return std::fabs(static_cast<double>(x.value) - x.exact);
-}
 
 // Most errors that are notable have only arrived: the operation adds little, and the larger one of its
 // operands' errors, `of_a` or `of_b`, has an origin. Then gives the result this origin. False, and nothing
 // done, where there is more to tell, or anything is infinite or no number.
 [[gnu::always_inline]] inline bool passes_on(double own, double of_a, double of_b, const Shadow& a,
                                              const Shadow& b, Shadow& result) {
-  const double small = notable * magnitude_of_both(result);
+  const double small = notable * larger_half_of(result);
   if (!(own <= small) || !(small + of_a + of_b < std::numeric_limits<double>::infinity()) || telling__)
     return false;
   if (distance_of(result) <= small) return true;
@@ -153,8 +156,7 @@ inline double distance_of(const Shadow& x) {
 // `sum` is rounded(a) + rounded(b). Operands by value: in registers, where their addresses would keep them in
 // memory.
 [[gnu::noinline]] inline Shadow settled_sum(Shadow a, Shadow b, float sum, Shadow result) {
-  if (passes_on(std::fabs(static_cast<double>(sum) - result.exact), distance_of(a), distance_of(b), a, b,
-                result)) [[likely]]
+  if (passes_on(distance_of(sum, result.exact), distance_of(a), distance_of(b), a, b, result)) [[likely]]
     return result;
   const double of_a = error_of(a);
   const double of_b = error_of(b);
@@ -171,10 +173,10 @@ inline double distance_of(const Shadow& x) {
 
 // `product` is rounded(a) * rounded(b) or the quotient: relative errors add up.
 [[gnu::noinline]] inline Shadow settled_product(Shadow a, Shadow b, float product, Shadow result) {
-  const double size_a = magnitude_of_both(a);
-  const double size_b = magnitude_of_both(b);
+  const double size_a = larger_half_of(a);
+  const double size_b = larger_half_of(b);
   const auto part = [](double error, double size) { return error < size ? error : size; };
-  if (passes_on(std::fabs(static_cast<double>(product) - result.exact), part(distance_of(a), size_a) * size_b,
+  if (passes_on(distance_of(product, result.exact), part(distance_of(a), size_a) * size_b,
                 part(distance_of(b), size_b) * size_a, a, b, result)) [[likely]]
     return result;
   const double of_a = share_of(error_of(a), a);

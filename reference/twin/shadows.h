@@ -194,10 +194,9 @@ class Shadows {
   }
   SHADERTWIN_INLINE void measure_number__(NumberRecord& record, const Shadow& x) {
     ++record.numbers;
-    const double value = x.value;
-    const double error = std::fabs(value - x.exact);
+    const double error = glsl::distance_of(x);
     if (error == 0.0) return;
-    const double size = glsl::larger_of(std::fabs(value), std::fabs(x.exact));
+    const double size = glsl::larger_half_of(x);
     const bool is_small = error <= size * glsl::notable;
     const double share = is_small ? error / size : glsl::share_of(glsl::error_of(x), x);
     if (share > 1.0) [[unlikely]] {
