@@ -136,23 +136,33 @@ constexpr const char* functions_with_effects =
     "float[2] numbers() { ++n; return float[2](1.0, 2.0); } float[2] pure() { return float[2](1.0, 2.0); }";
 
 TEST_F(CheckCommand, FindsWhatDependsOnTheOrderOfEvaluation) {
-  const std::vector<std::string> statements = {"c.x = pair(i, i++);",
-                                               "c.x = float(i + i++);",
-                                               "a[k] = float(k++);",
-                                               "add(x, doubled(x));",
-                                               "c.x = float(n * next());",
-                                               "x += doubled(x);",
-                                               "c.xy = vec2(x, doubled(x));",
-                                               "c.x = a[k] + float(k = 1);",
-                                               "late(next(), n);",
-                                               "c.x = float(numbers().length());"};
+  const auto changed_late = [](const std::string& name) {
+    return "'" + name + "' is read and then changed in one expression";
+  };
+  const auto taken_in = [](const std::string& name) {
+    return "'" + name + "' is passed as `inout` while another argument changes it";
+  };
+  const std::vector<std::pair<std::string, std::string>> statements = {
+      {"c.x = pair(i, i++);", changed_late("i")},
+      {"c.x = float(i + i++);", changed_late("i")},
+      {"a[k] = float(k++);", changed_late("k")},
+      {"add(x, doubled(x));", taken_in("x")},
+      {"c.x = float(n * next());", changed_late("n")},
+      {"x += doubled(x);", changed_late("x")},
+      {"c.xy = vec2(x, doubled(x));", changed_late("x")},
+      {"c.x = a[k] + float(k = 1);", changed_late("k")},
+      {"late(next(), n);", taken_in("n")},
+      {"c.x = float(numbers().length());", "a call with effects of which only length() is taken"}};
   std::string text = "c = vec4(0.0); int i = 1, k = 0; float x = p.x; float a[3] = float[3](1.0, 2.0, 3.0);";
-  for (const std::string& statement : statements) text += '\n' + statement;
+  for (const auto& [statement, words] : statements) text += '\n' + statement;
   const Outcome outcome = check(functions_with_effects, text);
-  for (std::size_t i = 0; i < statements.size(); ++i)
-    EXPECT_NE(outcome.out.find("a.glsl:" + std::to_string(i + 4) + ": portability: "), std::string::npos)
-        << statements[i] << '\n'
+  for (std::size_t i = 0; i < statements.size(); ++i) {
+    const auto& [statement, words] = statements[i];
+    EXPECT_NE(outcome.out.find("a.glsl:" + std::to_string(i + 4) + ": portability: " + words),
+              std::string::npos)
+        << statement << '\n'
         << outcome.out;
+  }
 }
 
 TEST_F(CheckCommand, LeavesOrdersThatAreTheTextsAlone) {
