@@ -1,7 +1,6 @@
-// Rooms whose light is known in closed form. Read twice, like every scene. ROOM: 0 a floor under a light, and a
-// ceiling at the height CEILING, if it has one. 1 a closed box whose walls shine and reflect. 2 a hollow ball with point lights in its middle, all
-// together of intensity pi. 3 one ball in
-// white light. 4 the left half of the view, shining.
+// Rooms whose light is known in closed form. Read twice, like every scene. ROOM: 0 a floor under a light, and a ceiling
+// at the height CEILING, if it has one. 1 a closed box whose walls shine and reflect. 2 a hollow ball with point lights
+// in its middle, all together of intensity pi. 3 one ball in white light. 4 the left half of the view, shining.
 
 #ifndef COMMON_GLSL
 
